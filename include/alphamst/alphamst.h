@@ -1,0 +1,418 @@
+/* alphamst.h - quadrilateral mesh adaptation, C interface.
+ *
+ * One parameter, alpha, asks for improvement (alpha = 1), refinement
+ * (alpha > 1) or simplification (alpha < 1) of patches of a quad mesh; alpha
+ * is the wanted ratio of face counts, new / old.
+ *
+ * Rules that hold for every function, stated once:
+ *
+ *  Status     Fallible calls return amst_status: 0 success, > 0 success with a
+ *             remark, < 0 failure. After a failure every handle passed in is as
+ *             it was before the call and no output argument has been written,
+ *             except a `needed` count. amst_last_error() has the words.
+ *  Ownership  A handle written through `T **out` belongs to the caller, who ends
+ *             it with the matching _destroy; NULL is accepted there. Handles may
+ *             be destroyed in any order and from any thread: a child keeps what
+ *             it needs of its parent alive. The library never keeps a pointer to
+ *             caller memory after it returns, callbacks excepted.
+ *  Arrays     Inputs are read in the call. Outputs follow one pattern:
+ *             (T *out, int64_t capacity, int64_t *needed). `needed` receives the
+ *             number of T the answer has; out = NULL with capacity = 0 only asks.
+ *             Where a call fills several arrays both count rows. A capacity that
+ *             is too small gives AMST_ERR_BUFFER_TOO_SMALL.
+ *             Rows are packed, last index fastest in C: points[n][dim],
+ *             faces[n][4]; in Fortran and Julia points(dim,n), faces(4,n).
+ *  Ids        Vertices, edges, faces and patches are numbered without gaps from
+ *             the context's index base (0 or 1); "none" is base - 1. Ids are
+ *             valid for one mesh revision. Faces list corners counter-clockwise.
+ *  Units      Lengths are in the unit of the given coordinates, angles in degrees.
+ *  Threads    Calls that take only const handles may run at the same time. A call
+ *             that takes a non-const handle needs it to itself; one context serves
+ *             one thread at a time. Different contexts share nothing. Callbacks run
+ *             on the calling thread only.
+ *  Same again Equal input, options and seed give equal output for any thread count.
+ *  C++        No exception leaves the library; none may enter it from a callback.
+ */
+#ifndef ALPHAMST_ALPHAMST_H
+#define ALPHAMST_ALPHAMST_H
+
+#include <stdint.h>
+
+#define AMST_VERSION_MAJOR 0
+#define AMST_VERSION_MINOR 1
+#define AMST_VERSION_PATCH 0
+
+#if defined(AMST_STATIC)
+#define AMST_API
+#elif defined(_WIN32)
+#if defined(AMST_BUILD)
+#define AMST_API __declspec(dllexport)
+#else
+#define AMST_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define AMST_API __attribute__((visibility("default")))
+#else
+#define AMST_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------ types */
+
+typedef int32_t amst_status; /* a amst_status_code */
+typedef int32_t amst_id;     /* number of a vertex, edge, face or patch */
+
+typedef struct amst_context amst_context; /* threads, callbacks, index base */
+typedef struct amst_options amst_options; /* numeric settings, all with defaults */
+typedef struct amst_mesh amst_mesh;       /* quad mesh with flags and savepoints */
+typedef struct amst_patches amst_patches; /* disjoint face regions of one mesh */
+typedef struct amst_report amst_report;   /* what one operation did */
+
+/* Enumerations travel as int32_t. The negative member keeps the type signed on
+ * every compiler, the largest one keeps it 32 bits wide. */
+enum amst_status_code {
+    AMST_ERR_INTERNAL = -99,        /* a bug in the library */
+    AMST_ERR_STATE = -16,           /* call not allowed now, e.g. from a callback */
+    AMST_ERR_NO_MEMORY = -15,
+    AMST_ERR_CANCELLED = -14,       /* cancelled; mesh as before the call */
+    AMST_ERR_UNSUPPORTED = -13,     /* file variant, or a curved patch: not in this version */
+    AMST_ERR_FORMAT = -12,          /* file is malformed */
+    AMST_ERR_IO = -11,              /* file cannot be opened, read or written */
+    AMST_ERR_NOT_FOUND = -10,       /* no such key or revision */
+    AMST_ERR_STALE = -9,            /* patches or report of an older revision */
+    AMST_ERR_PATCH = -8,            /* patch is not a usable disk, see defects */
+    AMST_ERR_NO_FILLING = -17,      /* no filling with the wanted faces was found; patch as before */
+    AMST_ERR_GEOMETRY = -18,        /* no filling could be given a valid shape; patch as before */
+    AMST_ERR_NOT_MANIFOLD = -7,     /* edge with 3+ faces, or unorientable */
+    AMST_ERR_NOT_QUAD = -6,         /* face without 4 distinct corners */
+    AMST_ERR_NOT_FINITE = -5,       /* NaN or infinity in the input */
+    AMST_ERR_BUFFER_TOO_SMALL = -4,
+    AMST_ERR_RANGE = -3,            /* id, count or value out of range */
+    AMST_ERR_ARGUMENT = -2,         /* other unacceptable argument */
+    AMST_ERR_NULL = -1,             /* required pointer is NULL */
+    AMST_OK = 0,
+    AMST_PARTIAL = 1,               /* done, but some patch was left or missed alpha */
+    AMST_STATUS_MAX = 0x7fffffff
+};
+
+enum amst_entity {
+    AMST_ENTITY_NONE = -1,
+    AMST_VERTEX = 0,
+    AMST_EDGE = 1,
+    AMST_FACE = 2,
+    AMST_ENTITY_MAX = 0x7fffffff
+};
+
+/* Bits; combine with |. */
+enum amst_flag {
+    AMST_FLAG_INVALID = -1,
+    AMST_FLAG_FIXED = 1,   /* entity is neither moved, split nor removed */
+    AMST_FLAG_FEATURE = 2, /* on a curve that must survive; may slide along it */
+    AMST_FLAG_CORNER = 4,  /* end or crossing of such curves; does not move */
+    AMST_FLAG_MAX = 0x7fffffff
+};
+
+/* Bits reported by amst_patches_check. */
+enum amst_defect {
+    AMST_DEFECT_INVALID = -1,
+    AMST_DEFECT_EMPTY = 1,
+    AMST_DEFECT_NOT_CONNECTED = 2,
+    AMST_DEFECT_NOT_DISK = 4,        /* Euler characteristic is not 1 */
+    AMST_DEFECT_PINCHED = 8,         /* boundary touches itself */
+    AMST_DEFECT_OVERLAP = 16,        /* shares a face with an earlier patch */
+    AMST_DEFECT_CROSSES_FEATURE = 32,/* flagged entity or region border in the interior */
+    AMST_DEFECT_ODD_BOUNDARY = 64,   /* odd number of boundary edges */
+    AMST_DEFECT_CORNERS = 128,       /* given corners not on boundary, or not 3..6 */
+    AMST_DEFECT_NOT_CONVEX = 256,    /* remark only: convexity below the option */
+    AMST_DEFECT_MAX = 0x7fffffff
+};
+
+enum amst_decomposition {
+    AMST_DECOMPOSE_INVALID = -1,
+    AMST_DECOMPOSE_CLUSTERS = 0,  /* compact face clusters (Lloyd) */
+    AMST_DECOMPOSE_PARTITION = 1, /* balanced graph partition (METIS) */
+    AMST_DECOMPOSE_MAX = 0x7fffffff
+};
+
+/* Verdict quadrilateral metrics. */
+enum amst_metric {
+    AMST_METRIC_INVALID = -1,
+    AMST_METRIC_AREA = 0,
+    AMST_METRIC_ASPECT_RATIO = 1,
+    AMST_METRIC_CONDITION = 2,
+    AMST_METRIC_DISTORTION = 3,
+    AMST_METRIC_EDGE_RATIO = 4,
+    AMST_METRIC_JACOBIAN = 5,
+    AMST_METRIC_MAX_ANGLE = 6,
+    AMST_METRIC_MIN_ANGLE = 7,
+    AMST_METRIC_ODDY = 8,
+    AMST_METRIC_RADIUS_RATIO = 9,
+    AMST_METRIC_RELATIVE_SIZE = 10,
+    AMST_METRIC_SCALED_JACOBIAN = 11,
+    AMST_METRIC_SHAPE = 12,
+    AMST_METRIC_SHAPE_AND_SIZE = 13,
+    AMST_METRIC_SHEAR = 14,
+    AMST_METRIC_SHEAR_AND_SIZE = 15,
+    AMST_METRIC_SKEW = 16,
+    AMST_METRIC_STRETCH = 17,
+    AMST_METRIC_TAPER = 18,
+    AMST_METRIC_WARPAGE = 19,
+    AMST_METRIC_MAX = 0x7fffffff
+};
+
+/* Keys of amst_options_set_int (< 1000) and _set_real (>= 1000). */
+enum amst_option {
+    AMST_OPTION_INVALID = -1,
+    AMST_OPT_SEED = 0,           /* int, 0: seed of every random choice */
+    AMST_OPT_SMOOTH_STEPS = 1,   /* int, 20: sweeps of shape optimisation, 0..1000 */
+    AMST_OPT_REPAIR_PATCHES = 2, /* int 0/1, 1: fill holes, cut pinches of new patches */
+    AMST_OPT_CANDIDATES = 3,     /* int, 16: fillings to try in a patch before it is left, 1..1000 */
+    AMST_OPT_NODE_LIMIT = 4,     /* int, 20000: effort of one exact search, in quads laid, 0..10^9 */
+    AMST_OPT_MIN_QUALITY = 1000, /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
+    AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
+    AMST_OPT_PATCH_FACES = 1002, /* real, 100: aim of automatic decomposition, >= 1 */
+    AMST_OPTION_MAX = 0x7fffffff
+};
+
+/* Keys of amst_report_get_int (< 1000) and amst_report_get_real (>= 1000). The
+ * singularities of a patch are the singular vertices of the mesh in it, its
+ * boundary included; those of AMST_ALL are the ones of the whole mesh. */
+enum amst_result {
+    AMST_RESULT_INVALID = -1,
+    AMST_RESULT_STATUS = 0,          /* amst_status of the patch; of AMST_ALL: of the call */
+    AMST_RESULT_FACES_BEFORE = 1,
+    AMST_RESULT_FACES_AFTER = 2,
+    AMST_RESULT_FACES_WANTED = 3,    /* alpha * before, rounded */
+    AMST_RESULT_SINGULAR_BEFORE = 4, /* interior vertices of valence != 4 */
+    AMST_RESULT_SINGULAR_AFTER = 5,
+    AMST_RESULT_SINGULAR_BOUND = 6,  /* least number that any filling of the boundary has */
+    AMST_RESULT_CANDIDATE = 7,       /* 0: filling as predicted; n: geometry forced the n-th later one */
+    AMST_RESULT_ALPHA = 1000,        /* after / before */
+    AMST_RESULT_QUALITY_BEFORE = 1001,/* smallest scaled Jacobian */
+    AMST_RESULT_QUALITY_AFTER = 1002,
+    AMST_RESULT_SECONDS = 1003,
+    AMST_RESULT_MAX = 0x7fffffff
+};
+
+enum amst_log_level {
+    AMST_LOG_OFF = -1,
+    AMST_LOG_ERROR = 0,
+    AMST_LOG_WARNING = 1,
+    AMST_LOG_INFO = 2,
+    AMST_LOG_DEBUG = 3,
+    AMST_LOG_MAX = 0x7fffffff
+};
+
+enum amst_scope {
+    AMST_ALL = -2, /* in place of a patch id: all patches together */
+    AMST_SCOPE_MAX = 0x7fffffff
+};
+
+/* The only struct of the interface; its 48 bytes never change. */
+typedef struct amst_summary {
+    int64_t count;      /* faces measured */
+    int64_t acceptable; /* faces inside the metric's acceptable range */
+    double min;
+    double max;
+    double mean;
+    double stddev;
+} amst_summary;
+
+/* fraction is 0..1, stage a static English word. Return non-zero to cancel. */
+typedef int32_t (*amst_progress_fn)(void *user, double fraction, const char *stage);
+/* message is valid during the call only. */
+typedef void (*amst_log_fn)(void *user, int32_t level, const char *message);
+
+/* ------------------------------------------------------- library and errors */
+
+/* major * 10000 + minor * 100 + patch of the library in use. */
+AMST_API int32_t amst_version(void);
+AMST_API const char *amst_version_string(void);
+/* 1 if the build has the named feature ("threads", "metis"), else 0. */
+AMST_API int32_t amst_has(const char *feature);
+/* Name of a status, e.g. "AMST_ERR_STALE"; never NULL. */
+AMST_API const char *amst_status_name(amst_status status);
+/* Sentence about the last failure on this thread; "" if there was none. Valid
+ * until the next failing call on this thread; destroy calls do not touch it. */
+AMST_API const char *amst_last_error(void);
+/* Where it happened: AMST_ENTITY_NONE if it is not about one entity; patch is
+ * "none" if it is not about one patch. Any output may be NULL. */
+AMST_API amst_status amst_last_error_where(int32_t *entity, amst_id *id, amst_id *patch);
+
+/* ------------------------------------------------------------------ context */
+
+/* index_base 0 or 1: numbering of every id that crosses this interface. */
+AMST_API amst_status amst_context_create(int32_t index_base, amst_context **out);
+AMST_API void amst_context_destroy(amst_context *ctx);
+/* 0 all cores, n exactly n; 1 at creation. */
+AMST_API amst_status amst_context_set_threads(amst_context *ctx, int32_t n);
+/* NULL fn switches off, which is the state at creation: nothing is printed. */
+AMST_API amst_status amst_context_set_log(amst_context *ctx, int32_t level, amst_log_fn fn, void *user);
+AMST_API amst_status amst_context_set_progress(amst_context *ctx, amst_progress_fn fn, void *user);
+/* The next two may be called from any thread while an operation runs. A raised
+ * flag stays up, and stops operations, until it is lowered. */
+AMST_API amst_status amst_context_set_cancel(amst_context *ctx, int32_t flag);
+AMST_API amst_status amst_context_get_progress(const amst_context *ctx, double *fraction);
+
+/* ------------------------------------------------------------------ options */
+/* Every `const amst_options *` argument may be NULL: all defaults. */
+
+AMST_API amst_status amst_options_create(amst_options **out);
+AMST_API void amst_options_destroy(amst_options *options);
+/* AMST_ERR_NOT_FOUND for a key of the other type or unknown to this version. */
+AMST_API amst_status amst_options_set_int(amst_options *options, int32_t key, int64_t value);
+AMST_API amst_status amst_options_set_real(amst_options *options, int32_t key, double value);
+AMST_API amst_status amst_options_get_int(const amst_options *options, int32_t key, int64_t *value);
+AMST_API amst_status amst_options_get_real(const amst_options *options, int32_t key, double *value);
+
+/* --------------------------------------------------------------------- mesh */
+
+/* Mesh from arrays. coords: component c of vertex v is
+ * coords[v * vertex_stride + c * component_stride]; faces likewise with
+ * face_stride and corner_stride, all in elements; both strides 0 means packed. dim is
+ * 2 or 3. corners_per_face is 4. Unreferenced vertices stay.
+ * Errors: NOT_FINITE, RANGE (corner id, count), NOT_QUAD, NOT_MANIFOLD. */
+AMST_API amst_status amst_mesh_create(amst_context *ctx, int32_t dim,
+                                   const double *coords, int64_t n_vertices,
+                                   int64_t vertex_stride, int64_t component_stride,
+                                   const int32_t *faces, int64_t n_faces,
+                                   int64_t face_stride, int64_t corner_stride,
+                                   int32_t corners_per_face,
+                                   const amst_options *options, amst_mesh **out);
+/* The same with 64-bit corner ids; they must still fit amst_id. */
+AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim,
+                                       const double *coords, int64_t n_vertices,
+                                       int64_t vertex_stride, int64_t component_stride,
+                                       const int64_t *faces, int64_t n_faces,
+                                       int64_t face_stride, int64_t corner_stride,
+                                       int32_t corners_per_face,
+                                       const amst_options *options, amst_mesh **out);
+/* Format by extension: .off .obj .ply .msh (Gmsh 2.2 and 4.1 ASCII) .vtk (legacy);
+ * path is UTF-8. dim is 2 when every z is 0. Region numbers of faces and boundary
+ * numbers of edges in .msh and .vtk files are kept and written again; borders of
+ * regions and numbered edges act as FEATURE.
+ * Errors: IO, FORMAT, UNSUPPORTED and those of amst_mesh_create. */
+AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path,
+                                 const amst_options *options, amst_mesh **out);
+/* The same formats and .svg, a picture. A failure leaves no half-written file. */
+AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
+AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
+AMST_API void amst_mesh_destroy(amst_mesh *mesh);
+
+AMST_API amst_status amst_mesh_get_dim(const amst_mesh *mesh, int32_t *dim);
+AMST_API amst_status amst_mesh_get_count(const amst_mesh *mesh, int32_t entity, int64_t *count);
+/* Rises with every change of connectivity; never repeats in one mesh, except
+ * that rollback returns to the number it names. */
+AMST_API amst_status amst_mesh_get_revision(const amst_mesh *mesh, int64_t *revision);
+/* [n_vertices][dim] */
+AMST_API amst_status amst_mesh_get_points(const amst_mesh *mesh, double *out, int64_t capacity, int64_t *needed);
+/* New positions for all vertices; connectivity and revision stay. */
+AMST_API amst_status amst_mesh_set_points(amst_mesh *mesh, const double *points, int64_t n);
+/* [n_faces][4] vertices */
+AMST_API amst_status amst_mesh_get_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity, int64_t *needed);
+/* [n_edges][2] vertices, smaller id first */
+AMST_API amst_status amst_mesh_get_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity, int64_t *needed);
+/* [n_edges][2] faces, left then right of the edge, "none" beyond the boundary */
+AMST_API amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity, int64_t *needed);
+/* Edge of each of n vertex pairs, "none" where there is no such edge. */
+AMST_API amst_status amst_mesh_find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n, amst_id *edges);
+/* [n_vertices] number of edges at each vertex */
+AMST_API amst_status amst_mesh_get_valences(const amst_mesh *mesh, int32_t *out, int64_t capacity, int64_t *needed);
+/* Interior vertices of valence != 4, ascending. */
+AMST_API amst_status amst_mesh_get_singularities(const amst_mesh *mesh, amst_id *out, int64_t capacity, int64_t *needed);
+/* Full check of connectivity and, for dim 2, orientation; the first fault is in
+ * amst_last_error_where. */
+AMST_API amst_status amst_mesh_check(const amst_mesh *mesh);
+/* 64-bit digest of connectivity and coordinates; equal meshes, equal digest. */
+AMST_API amst_status amst_mesh_get_checksum(const amst_mesh *mesh, int64_t *digest);
+
+/* ------------------------------------------------------------------- flags */
+
+/* For the n given entities (ids NULL: all) set the bits in mask as in value. */
+AMST_API amst_status amst_mesh_set_flags(amst_mesh *mesh, int32_t entity, const amst_id *ids, int64_t n,
+                                      int32_t mask, int32_t value);
+AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, int32_t *out, int64_t capacity, int64_t *needed);
+/* ------------------------------------------------------------------ undoing */
+
+/* Remember the mesh; revision names the savepoint. Savepoints nest. */
+AMST_API amst_status amst_mesh_mark(amst_mesh *mesh, int64_t *revision);
+/* Back to a savepoint, which stays; later ones are forgotten. */
+AMST_API amst_status amst_mesh_rollback(amst_mesh *mesh, int64_t revision);
+AMST_API amst_status amst_mesh_forget(amst_mesh *mesh, int64_t revision);
+
+/* ------------------------------------------------------------------ patches */
+/* A patch set belongs to one revision of one mesh; operations given the set move
+ * it along to the new revision and the new faces. Other changes make it STALE.
+ * Faces that an earlier patch has, or that are FIXED, are left out of a new one;
+ * AMST_OPT_REPAIR_PATCHES then makes it a disk if it can. `patch` of an add call
+ * receives the new patch's id and may be NULL. */
+
+AMST_API amst_status amst_patches_create(const amst_mesh *mesh, const amst_options *options, amst_patches **out);
+AMST_API void amst_patches_destroy(amst_patches *patches);
+AMST_API amst_status amst_patches_add_faces(amst_patches *patches, const amst_id *faces, int64_t n, amst_id *patch);
+/* The faces within `rings` face layers of a vertex. */
+AMST_API amst_status amst_patches_add_rings(amst_patches *patches, amst_id vertex, int32_t rings, amst_id *patch);
+/* The connected faces around the one nearest to center, centroid within radius. */
+AMST_API amst_status amst_patches_add_ball(amst_patches *patches, const double center[3], double radius, amst_id *patch);
+AMST_API amst_status amst_patches_add_box(amst_patches *patches, const double low[3], const double high[3], amst_id *patch);
+/* Automatic patches over the faces not yet taken. added may be NULL. */
+AMST_API amst_status amst_patches_decompose(amst_patches *patches, int32_t method, int64_t *added);
+/* 3 to 6 boundary vertices in boundary order; n = 0 lets the library choose. */
+AMST_API amst_status amst_patches_set_corners(amst_patches *patches, amst_id patch, const amst_id *vertices, int64_t n);
+/* alpha of one patch, or of AMST_ALL; 0 means: that of the operation. */
+AMST_API amst_status amst_patches_set_alpha(amst_patches *patches, amst_id patch, double alpha);
+
+AMST_API amst_status amst_patches_get_count(const amst_patches *patches, int64_t *count);
+AMST_API amst_status amst_patches_get_faces(const amst_patches *patches, amst_id patch, amst_id *out, int64_t capacity, int64_t *needed);
+/* Boundary vertices, counter-clockwise, from the first corner. */
+AMST_API amst_status amst_patches_get_boundary(const amst_patches *patches, amst_id patch, amst_id *out, int64_t capacity, int64_t *needed);
+AMST_API amst_status amst_patches_get_corners(const amst_patches *patches, amst_id patch, amst_id *out, int64_t capacity, int64_t *needed);
+/* defects: amst_defect bits, 0 if usable. convexity: 0..1, 1 convex; may be NULL. */
+AMST_API amst_status amst_patches_check(const amst_patches *patches, amst_id patch, int32_t *defects, double *convexity);
+
+/* Picture (.svg) of the mesh with the patch outlines. */
+AMST_API amst_status amst_patches_write(const amst_patches *patches, const char *path);
+/* What amst_adapt would deliver for that patch and alpha, without doing it: the
+ * exact number of faces and of interior singularities. Any output may be NULL. */
+AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, double alpha,
+                                        const amst_options *options, int64_t *faces, int64_t *singularities);
+
+/* --------------------------------------------------------------- operations */
+/* Each changes the mesh or, on failure and on cancel, not at all. `report` may be
+ * NULL. Patches with defects are left and make the result AMST_PARTIAL. */
+
+/* Replace each patch by its alpha template. alpha > 0. */
+AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
+                             const amst_options *options, amst_report **report);
+/* Replace each patch by its minimum singularity template, boundary kept. */
+AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches,
+                                            const amst_options *options, amst_report **report);
+/* Move interior vertices of the patches, or of the mesh if patches is NULL. */
+AMST_API amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches,
+                              const amst_options *options, amst_report **report);
+/* Remove doublets and split valences above 5. */
+AMST_API amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report **report);
+/* ------------------------------------------------------------------ quality */
+
+/* [n_faces] */
+AMST_API amst_status amst_mesh_get_quality(const amst_mesh *mesh, int32_t metric, double *out, int64_t capacity, int64_t *needed);
+AMST_API amst_status amst_mesh_get_summary(const amst_mesh *mesh, int32_t metric, amst_summary *out);
+
+/* ------------------------------------------------------------------- report */
+/* Immutable; outlives mesh and patches. */
+
+AMST_API void amst_report_destroy(amst_report *report);
+AMST_API amst_status amst_report_get_int(const amst_report *report, amst_id patch, int32_t key, int64_t *value);
+AMST_API amst_status amst_report_get_real(const amst_report *report, amst_id patch, int32_t key, double *value);
+/* Interior vertices of one valence before (after = 0) or after the operation. */
+AMST_API amst_status amst_report_get_valence(const amst_report *report, amst_id patch, int32_t after, int32_t valence, int64_t *count);
+/* For each new entity the old one it is, "none" if it is new. */
+AMST_API amst_status amst_report_get_origin(const amst_report *report, int32_t entity, amst_id *out, int64_t capacity, int64_t *needed);
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,125 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <unordered_map>
+
+#include "adapt/adapt.h"
+#include "geometry/embed.h"
+#include "geometry/plane.h"
+
+namespace alphamst::adapt {
+namespace {
+
+// A vertex that smoothing must not move wherever it lies: flagged, or on an edge that
+// is flagged, numbered or between two regions.
+bool pinned(const mesh::QuadMesh &mesh, int v) {
+    if (mesh.on_boundary(v) || mesh.vertex_flags[static_cast<std::size_t>(v)] != 0)
+        return true;
+    for (const int w : mesh.vertices_around(v)) {
+        const auto e = static_cast<std::size_t>(mesh.find_edge(v, w));
+        if (mesh.edge_flags[e] != 0 || (!mesh.edge_marker.empty() && mesh.edge_marker[e] != 0))
+            return true;
+    }
+    const std::vector<int> faces = mesh.faces_around(v);
+    return std::any_of(faces.begin(), faces.end(), [&](int f) {
+        const auto at = static_cast<std::size_t>(f), first = static_cast<std::size_t>(faces[0]);
+        return (mesh.face_flags[at] & mesh::fixed) != 0 ||
+               (!mesh.face_marker.empty() && mesh.face_marker[at] != mesh.face_marker[first]);
+    });
+}
+
+Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const Settings &settings) {
+    const auto start = std::chrono::steady_clock::now();
+    std::unordered_map<int, int> local;
+    std::vector<int> vertices;
+    std::vector<std::array<int, 4>> quads;
+    for (const int f : faces) {
+        std::array<int, 4> quad = mesh.corners(f);
+        for (int &v : quad) {
+            const auto [it, fresh] = local.emplace(v, static_cast<int>(vertices.size()));
+            if (fresh)
+                vertices.push_back(v);
+            v = it->second;
+        }
+        quads.push_back(quad);
+    }
+    std::vector<int> inside(vertices.size(), 0);
+    for (const auto &quad : quads)
+        for (const int v : quad)
+            ++inside[static_cast<std::size_t>(v)];
+    std::vector<char> fixed;
+    std::vector<Eigen::Vector3d> points;
+    Outcome outcome;
+    outcome.faces_before = outcome.faces_after = outcome.faces_wanted = static_cast<std::int64_t>(faces.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const int v = vertices[i];
+        const int valence = mesh.valence(v);
+        fixed.push_back(inside[i] != valence || pinned(mesh, v));
+        const auto &p = mesh.point(v);
+        points.emplace_back(p[0], p[1], p[2]);
+        if (mesh.on_boundary(v))
+            continue;
+        ++outcome.valences_before[valence];
+        outcome.singular_before += valence != 4;
+    }
+    outcome.valences_after = outcome.valences_before;
+    outcome.singular_after = outcome.singular_bound = outcome.singular_before;
+
+    geometry::Plane plane;
+    geometry::Points positions;
+    if (mesh.dim() == 3 && !points.empty()) {
+        Eigen::Vector3d normal = Eigen::Vector3d::Zero(), low = points[0], high = points[0];
+        for (const auto &quad : quads)
+            normal += (points[static_cast<std::size_t>(quad[2])] - points[static_cast<std::size_t>(quad[0])])
+                          .cross(points[static_cast<std::size_t>(quad[3])] - points[static_cast<std::size_t>(quad[1])]);
+        for (const auto &p : points) {
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+        plane = geometry::Plane::fit(points, normal);
+        if (plane.deviation(points) > 1e-7 * (high - low).norm()) {
+            outcome.fault = Fault::unsupported;
+            outcome.text = "the faces are curved; this version smooths faces that lie in a plane";
+            return outcome;
+        }
+    }
+    for (const auto &p : points)
+        positions.push_back(mesh.dim() == 2 ? Eigen::Vector2d(p.head<2>()) : plane.to_plane(p));
+    outcome.quality_before = geometry::judge(quads, positions).min_scaled_jacobian;
+    geometry::EmbedOptions options;
+    options.steps = settings.smooth_steps;
+    const geometry::Embedding improved = geometry::improve(quads, fixed, std::move(positions), options);
+    outcome.quality_after = improved.min_scaled_jacobian;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (fixed[i])
+            continue;
+        const Eigen::Vector2d &p = improved.positions[i];
+        const Eigen::Vector3d q = mesh.dim() == 2 ? Eigen::Vector3d(p.x(), p.y(), 0) : plane.to_space(p);
+        mesh.set_point(vertices[i], {q.x(), q.y(), q.z()});
+    }
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+}
+
+} // namespace
+
+std::vector<Outcome> smooth(mesh::QuadMesh &mesh, const std::vector<Region> *patches, const Settings &settings,
+                            const Progress &progress) {
+    std::vector<Outcome> outcomes;
+    if (patches == nullptr) {
+        progress(0, "smooth");
+        std::vector<int> faces(static_cast<std::size_t>(mesh.n_faces()));
+        std::iota(faces.begin(), faces.end(), 0);
+        outcomes.push_back(smooth_faces(mesh, faces, settings));
+    } else {
+        for (const Region &patch : *patches) {
+            progress(static_cast<double>(outcomes.size()) / static_cast<double>(patches->size()), "smooth");
+            outcomes.push_back(smooth_faces(mesh, patch.faces, settings));
+        }
+    }
+    progress(1, "smooth");
+    return outcomes;
+}
+
+} // namespace alphamst::adapt

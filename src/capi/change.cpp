@@ -1,0 +1,174 @@
+#include "capi/change.h"
+
+#include <algorithm>
+#include <string>
+
+#include "capi/guard.h"
+
+namespace alphamst::capi {
+namespace {
+
+void tell(Context &context, double fraction, const char *stage) {
+    context.fraction.store(std::clamp(fraction, 0.0, 1.0));
+    const bool stop =
+        context.progress != nullptr && context.progress(context.progress_user, fraction, stage) != 0;
+    if (stop || context.cancel.load())
+        throw Failure(Fault::cancelled, "the operation was cancelled");
+}
+
+// Whether faces or edges are not all where they were when origins were last reset.
+bool reconnected(const mesh::QuadMesh &before, const mesh::QuadMesh &after) {
+    if (before.n_faces() != after.n_faces() || before.n_edges() != after.n_edges())
+        return true;
+    for (std::size_t f = 0; f < after.face_origin.size(); ++f)
+        if (after.face_origin[f] != static_cast<std::int32_t>(f))
+            return true;
+    return false;
+}
+
+std::map<int, std::int64_t> valences(const mesh::QuadMesh &mesh) {
+    std::map<int, std::int64_t> counts;
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        if (!mesh.isolated(v) && !mesh.on_boundary(v))
+            ++counts[mesh.valence(v)];
+    return counts;
+}
+
+std::int64_t singular(const std::map<int, std::int64_t> &valences) {
+    std::int64_t count = 0;
+    for (const auto &[valence, vertices] : valences)
+        count += valence == 4 ? 0 : vertices;
+    return count;
+}
+
+Report::Row row_of(const adapt::Outcome &outcome, bool exact) {
+    Report::Row row;
+    row.status = outcome.fault ? status_of(*outcome.fault)
+                 : exact && outcome.faces_after != outcome.faces_wanted
+                     ? static_cast<amst_status>(AMST_PARTIAL)
+                     : static_cast<amst_status>(AMST_OK);
+    row.faces_before = outcome.faces_before;
+    row.faces_after = outcome.faces_after;
+    row.faces_wanted = outcome.faces_wanted;
+    row.singular_before = outcome.singular_before;
+    row.singular_after = outcome.singular_after;
+    row.singular_bound = outcome.singular_bound;
+    row.candidate = outcome.candidate;
+    row.quality_before = outcome.quality_before;
+    row.quality_after = outcome.quality_after;
+    row.seconds = outcome.seconds;
+    row.valences_before = outcome.valences_before;
+    row.valences_after = outcome.valences_after;
+    return row;
+}
+
+// Counts are added up, qualities are the smallest, the candidate is the latest.
+void include(Report::Row &all, const Report::Row &row, bool first) {
+    if (row.status != AMST_OK)
+        all.status = AMST_PARTIAL;
+    all.faces_before += row.faces_before;
+    all.faces_after += row.faces_after;
+    all.faces_wanted += row.faces_wanted;
+    all.singular_bound += row.singular_bound;
+    all.candidate = std::max(all.candidate, row.candidate);
+    all.quality_before = first ? row.quality_before : std::min(all.quality_before, row.quality_before);
+    all.quality_after = first ? row.quality_after : std::min(all.quality_after, row.quality_after);
+}
+
+} // namespace
+
+Change::Busy::Busy(Context &context) : context_(context) {
+    if (context.busy.exchange(true, std::memory_order_acq_rel))
+        throw Failure(Fault::state, "an operation of this context is under way; a callback may only ask");
+}
+
+Change::Change(const char *name, const amst_mesh &mesh, const amst_patches *patches)
+    : name_(name), mesh_(mesh.impl), patches_(patches == nullptr ? nullptr : patches->impl),
+      busy_(*mesh_->context) {
+    if (patches_ != nullptr) {
+        if (patches_->mesh != mesh_)
+            throw Failure(Fault::argument, "the patches are of another mesh");
+        patches_->require_current();
+        regions_ = patches_->regions;
+    }
+    progress_ = [context = mesh_->context.get()](double fraction, const char *stage) {
+        tell(*context, fraction, stage);
+    };
+    progress_(0, "start");
+    copy_ = std::make_shared<mesh::QuadMesh>(*mesh_->current);
+    copy_->reset_origins();
+}
+
+Report Change::report_of(const std::vector<adapt::Outcome> &outcomes, bool exact) const {
+    Report report;
+    report.index_base = mesh_->context->index_base;
+    bool first = true;
+    for (const adapt::Outcome &outcome : outcomes) {
+        Report::Row row = row_of(outcome, exact);
+        include(report.all, row, first);
+        first = false;
+        if (patches_ != nullptr)
+            report.patches.push_back(std::move(row));
+    }
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+    report.all.seconds = spent.count();
+    return report;
+}
+
+void Change::describe_meshes(Report &report) const {
+    report.all.valences_before = valences(*mesh_->current);
+    report.all.valences_after = valences(*copy_);
+    report.all.singular_before = singular(report.all.valences_before);
+    report.all.singular_after = singular(report.all.valences_after);
+    report.vertices = {copy_->n_vertices(), copy_->vertex_origin};
+    report.edges = {copy_->n_edges(), copy_->edge_origin};
+    report.faces = {copy_->n_faces(), copy_->face_origin};
+}
+
+void Change::log(const std::vector<adapt::Outcome> &outcomes, const Report &report) const {
+    const Context &context = *mesh_->context;
+    if (context.log == nullptr)
+        return;
+    const auto say = [&](std::int32_t level, const std::string &message) {
+        if (level <= context.log_level)
+            context.log(context.log_user, level, message.c_str());
+    };
+    for (std::size_t p = 0; p < outcomes.size(); ++p)
+        if (outcomes[p].fault) {
+            const std::string what =
+                patches_ == nullptr
+                    ? std::string("mesh")
+                    : "patch " + std::to_string(p + static_cast<std::size_t>(context.index_base));
+            say(AMST_LOG_WARNING, std::string(name_) + ": " + what + " was left: " + outcomes[p].text);
+        }
+    say(AMST_LOG_INFO, std::string(name_) + ": " + std::to_string(report.all.faces_before) +
+                           " faces before, " + std::to_string(report.all.faces_after) + " after, in " +
+                           std::to_string(report.all.seconds) + " s");
+}
+
+amst_status Change::finish(const std::vector<adapt::Outcome> &outcomes, bool exact, amst_report **report) {
+    progress_(1, "commit");
+    auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
+    if (report != nullptr)
+        describe_meshes(made->impl);
+    log(outcomes, made->impl);
+    const amst_status status = made->impl.all.status;
+    commit();
+    if (report != nullptr)
+        *report = made.release();
+    return status;
+}
+
+void Change::commit() noexcept {
+    const bool changed = reconnected(*mesh_->current, *copy_);
+    mesh_->current = std::move(copy_);
+    if (!changed)
+        return;
+    mesh_->revision = ++mesh_->last_revision;
+    if (patches_ != nullptr) {
+        patches_->regions.swap(regions_);
+        patches_->revision = mesh_->revision;
+    }
+}
+
+} // namespace alphamst::capi

@@ -1,0 +1,57 @@
+// One operation under way: it works on a copy of the mesh, and only commit, which
+// cannot fail, puts the copy in its place.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "adapt/adapt.h"
+#include "capi/handles.h"
+
+namespace alphamst::capi {
+
+class Change {
+public:
+    // patches may be null. Failure: state, argument (patches of another mesh), stale,
+    // cancelled. The handles themselves are not kept: a callback may destroy them.
+    Change(const char *name, const amst_mesh &mesh, const amst_patches *patches);
+
+    mesh::QuadMesh &mesh() { return *copy_; }
+    std::vector<adapt::Region> &regions() { return regions_; }
+    int threads() const { return mesh_->context->threads; }
+    const adapt::Progress &progress() const { return progress_; }
+
+    // One outcome per patch, or one for the whole mesh; exact: a patch that has not the
+    // wanted faces makes the result partial. Writes *report unless report is null.
+    amst_status finish(const std::vector<adapt::Outcome> &outcomes, bool exact, amst_report **report);
+
+private:
+    // Marks the context as busy for as long as it lives.
+    class Busy {
+    public:
+        explicit Busy(Context &context);
+        ~Busy() { context_.busy.store(false, std::memory_order_release); }
+        Busy(const Busy &) = delete;
+        Busy &operator=(const Busy &) = delete;
+
+    private:
+        Context &context_;
+    };
+
+    Report report_of(const std::vector<adapt::Outcome> &outcomes, bool exact) const;
+    void describe_meshes(Report &report) const;
+    void log(const std::vector<adapt::Outcome> &outcomes, const Report &report) const;
+    void commit() noexcept;
+
+    const char *name_;
+    std::shared_ptr<Mesh> mesh_;
+    std::shared_ptr<Patches> patches_;
+    Busy busy_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::shared_ptr<mesh::QuadMesh> copy_;
+    std::vector<adapt::Region> regions_;
+    adapt::Progress progress_;
+};
+
+} // namespace alphamst::capi

@@ -1,0 +1,106 @@
+// Meshes and patches from and to files.
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "capi/guard.h"
+#include "capi/handles.h"
+#include "capi/limits.h"
+#include "io/arrays.h"
+#include "io/svg.h"
+#include "patch/window.h"
+
+namespace alphamst::capi {
+namespace {
+
+mesh::QuadMesh mesh_of(const io::Arrays &arrays) {
+    const auto n = static_cast<std::int32_t>(arrays.points.size() / 3);
+    require_size(n, static_cast<std::int64_t>(arrays.faces.size() / 4));
+    mesh::QuadMesh mesh = mesh::QuadMesh::build(arrays.dim, arrays.points, arrays.faces);
+    mesh.face_marker = arrays.face_marker;
+    if (!arrays.marked_edges.empty())
+        mesh.edge_marker.resize(static_cast<std::size_t>(mesh.n_edges()));
+    for (const auto &[vertices, marker] : arrays.marked_edges) {
+        const auto [v, w] = vertices;
+        const int edge = v >= 0 && w >= 0 && v < n && w < n ? mesh.find_edge(v, w) : -1;
+        if (edge >= 0) // else it is a line that no face has, such as an axis
+            mesh.edge_marker[static_cast<std::size_t>(edge)] = marker;
+    }
+    return mesh;
+}
+
+io::Arrays arrays_of(const mesh::QuadMesh &mesh) {
+    io::Arrays arrays;
+    arrays.dim = mesh.dim();
+    arrays.points.reserve(static_cast<std::size_t>(mesh.n_vertices()) * 3);
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        const OpenMesh::Vec3d &p = mesh.point(v);
+        arrays.points.insert(arrays.points.end(), {p[0], p[1], p[2]});
+    }
+    arrays.faces.reserve(static_cast<std::size_t>(mesh.n_faces()) * 4);
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        const std::array<int, 4> corners = mesh.corners(f);
+        arrays.faces.insert(arrays.faces.end(), corners.begin(), corners.end());
+    }
+    arrays.face_marker = mesh.face_marker;
+    for (std::size_t e = 0; e < mesh.edge_marker.size(); ++e)
+        if (mesh.edge_marker[e] != 0)
+            arrays.marked_edges.push_back({mesh.edge_vertices(static_cast<int>(e)), mesh.edge_marker[e]});
+    return arrays;
+}
+
+// The boundary loop of a disk; of faces that are none, each face on its own.
+void append_outlines(std::vector<std::vector<std::int32_t>> &outlines, const mesh::QuadMesh &mesh,
+                     const std::vector<int> &faces) {
+    constexpr std::int32_t harmless = patch::crosses_feature | patch::odd_boundary;
+    if ((patch::defects(mesh, faces) & ~harmless) == 0) {
+        outlines.push_back(patch::make_window(mesh, faces).loop);
+        return;
+    }
+    for (const int face : faces) {
+        const std::array<int, 4> corners = mesh.corners(face);
+        outlines.emplace_back(corners.begin(), corners.end());
+    }
+}
+
+bool is_picture(std::string_view path) { return path.ends_with(".svg") || path.ends_with(".SVG"); }
+
+} // namespace
+} // namespace alphamst::capi
+
+using namespace alphamst;
+using namespace alphamst::capi;
+
+amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *, amst_mesh **out) {
+    return guarded(index_base(ctx), [&] {
+        const std::shared_ptr<Context> &context = required(ctx, "ctx").impl;
+        required(path, "path");
+        amst_mesh *&created = required(out, "out");
+        auto mesh = std::make_shared<mesh::QuadMesh>(mesh_of(io::read(path)));
+        created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
+    });
+}
+
+amst_status amst_mesh_write(const amst_mesh *mesh, const char *path) {
+    return guarded(index_base(mesh), [&] {
+        const mesh::QuadMesh &current = *required(mesh, "mesh").impl->current;
+        required(path, "path");
+        io::write(path, arrays_of(current));
+    });
+}
+
+amst_status amst_patches_write(const amst_patches *patches, const char *path) {
+    return guarded(index_base(patches), [&] {
+        const Patches &set = *required(patches, "patches").impl;
+        set.require_current();
+        required(path, "path");
+        if (!is_picture(path))
+            throw Failure(Fault::unsupported, "patches are written as a picture: the extension must be .svg");
+        const mesh::QuadMesh &mesh = *set.mesh->current;
+        const io::Arrays arrays = arrays_of(mesh);
+        io::Picture picture = io::picture(arrays);
+        for (const adapt::Region &region : set.regions)
+            append_outlines(picture.outlines, mesh, region.faces);
+        io::write_svg(path, picture);
+    });
+}

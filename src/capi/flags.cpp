@@ -1,0 +1,78 @@
+#include <string>
+#include <vector>
+
+#include "capi/array.h"
+#include "capi/guard.h"
+#include "capi/handles.h"
+#include "capi/ids.h"
+
+namespace alphamst::capi {
+namespace {
+
+constexpr std::int32_t every_flag = AMST_FLAG_FIXED | AMST_FLAG_FEATURE | AMST_FLAG_CORNER;
+static_assert(int{AMST_FLAG_FIXED} == int{mesh::fixed} && int{AMST_FLAG_FEATURE} == int{mesh::feature} &&
+              int{AMST_FLAG_CORNER} == int{mesh::corner});
+
+using Flags = std::vector<std::uint8_t>;
+
+Flags mesh::QuadMesh::*flags_of(Entity entity) {
+    return entity == Entity::vertex ? &mesh::QuadMesh::vertex_flags
+           : entity == Entity::edge ? &mesh::QuadMesh::edge_flags
+                                    : &mesh::QuadMesh::face_flags;
+}
+
+void require_flags(std::int32_t bits, const char *name) {
+    if ((bits & ~every_flag) != 0)
+        throw Failure(Fault::range,
+                      std::string(name) + " has bits that are no flag: " + std::to_string(bits));
+}
+
+} // namespace
+} // namespace alphamst::capi
+
+using namespace alphamst;
+using namespace alphamst::capi;
+
+amst_status amst_mesh_set_flags(amst_mesh *mesh, std::int32_t entity, const amst_id *ids, std::int64_t n,
+                                std::int32_t mask, std::int32_t value) {
+    return guarded(index_base(mesh), [&] {
+        Mesh &target = *required(mesh, "mesh").impl;
+        target.context->require_idle();
+        const Entity kind = entity_of(entity);
+        const int base = index_base(mesh);
+        const int count = count_of(*target.current, kind);
+        if (n < 0)
+            throw Failure(Fault::range, "n is negative: " + std::to_string(n));
+        require_flags(mask, "mask");
+        require_flags(value, "value");
+        if (ids != nullptr)
+            for (std::int64_t i = 0; i < n; ++i)
+                in(base, ids[i], count, kind);
+
+        Flags &flags = target.writable().*flags_of(kind);
+        flags.resize(static_cast<std::size_t>(count));
+        const auto set = [&](std::uint8_t &old) {
+            old = static_cast<std::uint8_t>((old & ~mask) | (value & mask));
+        };
+        if (ids == nullptr)
+            for (std::uint8_t &old : flags)
+                set(old);
+        else
+            for (std::int64_t i = 0; i < n; ++i)
+                set(flags[static_cast<std::size_t>(ids[i] - base)]);
+    });
+}
+
+amst_status amst_mesh_get_flags(const amst_mesh *mesh, std::int32_t entity, std::int32_t *out,
+                                std::int64_t capacity, std::int64_t *needed) {
+    return guarded(index_base(mesh), [&] {
+        const mesh::QuadMesh &asked = *required(mesh, "mesh").impl->current;
+        const Entity kind = entity_of(entity);
+        const int count = count_of(asked, kind);
+        if (!answer(out, capacity, needed, count))
+            return;
+        const Flags &flags = asked.*flags_of(kind);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+            out[i] = i < flags.size() ? flags[i] : 0;
+    });
+}

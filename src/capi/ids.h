@@ -1,0 +1,24 @@
+// Ids cross the border here and nowhere else: base + index outside, index inside.
+#pragma once
+
+#include <cstdint>
+
+#include "alphamst/alphamst.h"
+#include "failure.h"
+#include "mesh/quad_mesh.h"
+
+namespace alphamst::capi {
+
+// The caller's number of an index; -1 becomes "none".
+inline amst_id out(int index_base, int index) noexcept { return index + index_base; }
+
+// The index behind a caller's id. Failure (range) naming the id unless it is one of
+// count; entity none stands for a patch.
+int in(int index_base, std::int64_t id, std::int64_t count, Entity entity);
+
+// VERTEX, EDGE or FACE; Failure (argument) for another value.
+Entity entity_of(std::int32_t value);
+
+int count_of(const mesh::QuadMesh &mesh, Entity entity) noexcept;
+
+} // namespace alphamst::capi

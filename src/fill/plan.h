@@ -1,0 +1,36 @@
+// Which filling to take: every way the library knows to fill a boundary word with a wanted
+// number of faces, by the numbers alone, best first.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "fill/filling.h"
+
+namespace alphamst::fill {
+
+struct Request {
+    Word word;                  // letters that the mesh around and the boundary's shape want
+    std::vector<int> regular;   // [word] letter that makes the vertex regular; 0: none counts
+    std::vector<double> angles; // [word] interior angle in degrees; empty: combinatorics only
+    std::int64_t faces = 0;     // wanted
+    bool any_count = false;     // fewest singularities first, faces only as near as possible
+    std::int64_t tolerance = 2; // largest miss that is still offered when the count is not free
+    int most = 16;              // candidates
+    std::int64_t node_limit = 20000;
+    std::uint64_t seed = 0;
+};
+
+struct Candidate {
+    std::int64_t faces = 0;
+    int singularities = 0; // inside, and boundary vertices whose letter is not the regular one
+    double stretch = 0;    // among equal numbers: larger is likely to be less well shaped
+    std::function<Filling()> build;
+};
+
+// Candidates: exact face count first, then fewest singularities (any_count: the
+// other way round). Empty if nothing is known.
+std::vector<Candidate> plan(const Request &request);
+
+} // namespace alphamst::fill

@@ -1,0 +1,47 @@
+// Positions for the new vertices of a filling: planar, with the boundary fixed.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace alphamst::geometry {
+
+using Quads = std::span<const std::array<int, 4>>;
+using Points = std::vector<Eigen::Vector2d>;
+
+// Vertices 0 .. boundary-1 are fixed and run counter-clockwise around the disk;
+// the others are free. Positions of all vertices are in one array.
+
+// Tutte (1963): the loop on a circle, spaced as the fixed loop's edges are, every free
+// vertex the mean of its neighbours. Every face of a 3-connected filling is convex.
+Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const Eigen::Vector2d> loop);
+
+struct Embedding {
+    Points positions;            // all vertices; the first `boundary` equal the loop
+    double min_determinant = 0;  // smallest corner determinant (signed area of the corner)
+    double min_scaled_jacobian = 0;
+    bool valid = false;          // every corner determinant is positive
+};
+
+struct EmbedOptions {
+    int steps = 20;             // sweeps of shape optimisation after untangling
+    int untangle_sweeps = 200;  // give up afterwards
+    double good_enough = 0;     // stop optimising once min scaled Jacobian is at least this; 0: never
+};
+
+// Tutte start -> move the loop to its place -> untangle (Garanzha et al. 2021) ->
+// improve. Never throws for geometric reasons: valid says whether it worked.
+// Deterministic; uses no threads.
+Embedding embed(Quads quads, int boundary, int vertices, std::span<const Eigen::Vector2d> loop,
+                const EmbedOptions &options);
+
+// Shape optimisation of given positions; fixed[v] vertices do not move. The smallest
+// scaled Jacobian never falls and no corner turns non-positive that was positive.
+Embedding improve(Quads quads, std::span<const char> fixed, Points positions, const EmbedOptions &options);
+
+// Smallest corner determinant and smallest scaled Jacobian over the quads.
+Embedding judge(Quads quads, Points positions);
+
+} // namespace alphamst::geometry

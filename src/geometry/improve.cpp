@@ -1,0 +1,170 @@
+#include "geometry/improve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/newton.h"
+#include "geometry/untangle.h"
+
+namespace alphamst::geometry {
+
+namespace {
+
+constexpr double still = 2e-3;  // a vertex rests when it moves less, in wanted edge lengths
+constexpr double softest = 0.2; // first epsilon at corners that are hardly positive
+constexpr double squeezed_below = 0.1;
+constexpr double poor_band = 0.15;  // corners up to this above the worst are sharpened with it
+constexpr double least_gain = 2e-3; // of the smallest scaled Jacobian in a round of sharpening
+constexpr int sharpen_sweeps = 3;   // in a round
+
+// Smallest scaled Jacobian of the corners of a quad; of those that can change only, if asked.
+double scaled_jacobian(const Problem &problem, std::size_t q, const Points &points, bool movable) {
+    const auto &quad = problem.quads[q];
+    double worst = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto c = static_cast<std::size_t>(quad[k]), n = static_cast<std::size_t>(quad[(k + 1) % 4]),
+                   p = static_cast<std::size_t>(quad[(k + 3) % 4]);
+        if (movable && problem.fixed[c] && problem.fixed[n] && problem.fixed[p])
+            continue;
+        const Eigen::Vector2d a = points[n] - points[c], b = points[p] - points[c];
+        const double lengths = a.squaredNorm() * b.squaredNorm();
+        worst = std::min(worst, lengths > 0 ? cross(a, b) / std::sqrt(lengths) : 0.0);
+    }
+    return worst;
+}
+
+bool good_enough(const Problem &problem, const Points &points, double wanted) {
+    if (!(wanted > 0))
+        return false;
+    for (std::size_t q = 0; q < problem.quads.size(); ++q)
+        if (scaled_jacobian(problem, q, points, false) < wanted)
+            return false;
+    return true;
+}
+
+// False if it stopped because the result is good enough.
+bool sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
+    Barrier barrier{.area = problem.area};
+    std::vector<char> awake(points.size());
+    std::transform(problem.fixed.begin(), problem.fixed.end(), awake.begin(),
+                   [](char fixed) { return static_cast<char>(!fixed); });
+    for (int sweep = 0; sweep < options.steps; ++sweep) {
+        if (good_enough(problem, points, options.good_enough))
+            return false;
+        // Close to D = 0 Newton's method on 1/D creeps (D grows by half a step): soften first.
+        const double soft = softest * std::pow(0.5, sweep);
+        bool moved = false;
+        for (std::size_t v = 0; v < points.size(); ++v) {
+            const auto star = problem.stars.at(static_cast<int>(v));
+            if (!awake[v] || problem.fixed[v] || star.empty())
+                continue;
+            awake[v] = 0;
+            double distance = 0;
+            const double worst = worst_corner(star, points, points[v]);
+            if (worst > 0 && worst < soft * soft) {
+                barrier.epsilon = soft;
+                distance = relax(barrier, star, points, static_cast<int>(v), std::max(floor, worst));
+                barrier.epsilon = 0;
+            }
+            distance = std::max(distance, relax(barrier, star, points, static_cast<int>(v), floor));
+            if (distance <= still * still * problem.area[static_cast<std::size_t>(star[0].quad)])
+                continue;
+            moved = true;
+            awake[v] = 1;
+            for (const Sector &s : star)
+                for (const int w : {s.next, s.opposite, s.previous})
+                    awake[static_cast<std::size_t>(w)] = 1;
+        }
+        if (!moved)
+            break;
+    }
+    return !good_enough(problem, points, options.good_enough);
+}
+
+// Corners squeezed between vertices that only move together: Newton's method on a region.
+void open_squeezed(const Problem &problem, Points &points) {
+    std::vector<int> squeezed;
+    double before = 1;
+    for (std::size_t q = 0; q < problem.quads.size(); ++q)
+        if (const double s = scaled_jacobian(problem, q, points, true); s < squeezed_below) {
+            squeezed.push_back(static_cast<int>(q));
+            before = std::min(before, s);
+        }
+    if (squeezed.empty() || !(before > 0))
+        return;
+    Points other = points;
+    const Region region(problem, squeezed, 3);
+    newton(problem, region, other, 20, squeezed_below);
+    for (const int q : region.quads)
+        if (!(scaled_jacobian(problem, static_cast<std::size_t>(q), other, true) > before))
+            return;
+    points = std::move(other);
+}
+
+void sharpen_worst(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
+    std::vector<char> member(points.size(), 0);
+    std::vector<int> around;
+    std::vector<double> quality(problem.quads.size());
+    double before = -1;
+    for (int round = 0; round < options.steps; ++round) {
+        double worst = 1;
+        for (std::size_t q = 0; q < quality.size(); ++q)
+            worst = std::min(worst, quality[q] = scaled_jacobian(problem, q, points, true));
+        if (!(worst > 0) || worst < before + least_gain || good_enough(problem, points, options.good_enough))
+            return;
+        before = worst;
+        for (const int v : around)
+            member[static_cast<std::size_t>(v)] = 0;
+        around.clear();
+        for (std::size_t q = 0; q < quality.size(); ++q)
+            if (quality[q] < worst + poor_band)
+                for (const int v : problem.quads[q])
+                    if (const auto i = static_cast<std::size_t>(v); !problem.fixed[i] && !member[i]) {
+                        member[i] = 1;
+                        around.push_back(v);
+                    }
+        grow(problem.stars, problem.fixed, 1, around, member);
+        for (int sweep = 0; sweep < sharpen_sweeps; ++sweep)
+            for (const int v : around)
+                sharpen(problem.stars.at(v), points, v, std::max(floor, worst * worst));
+    }
+}
+
+} // namespace
+
+void optimise(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
+    if (!sweep_barrier(problem, points, options, floor))
+        return;
+    open_squeezed(problem, points);
+    sharpen_worst(problem, points, options, floor);
+}
+
+Embedding improve(Quads quads, std::span<const char> fixed, Points positions, const EmbedOptions &options) {
+    Embedding start = judge(quads, std::move(positions));
+    double area = 0;
+    for (const auto &q : quads)
+        area += cross(start.positions[static_cast<std::size_t>(q[2])] -
+                          start.positions[static_cast<std::size_t>(q[0])],
+                      start.positions[static_cast<std::size_t>(q[3])] -
+                          start.positions[static_cast<std::size_t>(q[1])]) /
+                2;
+    if (!(area > 0) || !std::isfinite(area))
+        return start;
+    const std::vector<double> wanted(quads.size(), area / static_cast<double>(quads.size()));
+    const Stars stars(quads, static_cast<int>(start.positions.size()));
+    const Problem problem{quads, stars, fixed, wanted};
+    Points points = start.positions;
+    double floor = start.min_scaled_jacobian * std::abs(start.min_scaled_jacobian);
+    if (!start.valid) {
+        if (untangle(problem, points, options.untangle_sweeps))
+            floor = 0;
+        else
+            points = start.positions;
+    }
+    optimise(problem, points, options, floor);
+    Embedding result = judge(quads, std::move(points));
+    // The floor is kept by squares: rounding may still lose the last digit.
+    return result.min_scaled_jacobian >= start.min_scaled_jacobian ? result : start;
+}
+
+} // namespace alphamst::geometry

@@ -1,0 +1,37 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/star.h"
+
+namespace alphamst::geometry {
+
+Embedding judge(Quads quads, Points positions) {
+    Embedding result;
+    double determinant = std::numeric_limits<double>::infinity(), jacobian = 1;
+    for (const auto &quad : quads) {
+        Eigen::Vector2d edge[4]; // from corner k to corner k+1
+        double length[4];
+        for (std::size_t k = 0; k < 4; ++k) {
+            edge[k] = positions[static_cast<std::size_t>(quad[(k + 1) % 4])] -
+                      positions[static_cast<std::size_t>(quad[k])];
+            length[k] = edge[k].norm();
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t before = (k + 3) % 4;
+            const double d = cross(edge[before], edge[k]), lengths = length[before] * length[k];
+            // Not std::min: a NaN has to win.
+            if (!(d >= determinant))
+                determinant = d;
+            if (const double s = lengths > 0 ? d / lengths : 0; !(s >= jacobian))
+                jacobian = s;
+        }
+    }
+    result.valid = determinant > 0 && jacobian > 0;
+    result.min_determinant = quads.empty() ? 0 : determinant;
+    result.min_scaled_jacobian = quads.empty() ? 0 : jacobian;
+    result.positions = std::move(positions);
+    return result;
+}
+
+} // namespace alphamst::geometry

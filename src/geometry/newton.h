@@ -1,0 +1,29 @@
+// Newton's method on all vertices of a part of a disk at once: for corners that no
+// single vertex can mend.
+#pragma once
+
+#include <vector>
+
+#include "geometry/barrier.h"
+
+namespace alphamst::geometry {
+
+// Free vertices to move and the quads that feel it.
+struct Region {
+    std::vector<int> vertices, quads;
+    std::vector<char> member; // [vertex of the disk]
+
+    // The free vertices of some quads and of `layers` of faces around them.
+    Region(const Problem &problem, std::span<const int> seeds, int layers);
+    void extend(const Problem &problem, int layers);
+};
+
+// Smallest corner determinant over the wanted area, over the given quads.
+double worst_determinant(const Problem &problem, std::span<const int> quads, const Points &points);
+
+// Minimises the barrier with epsilon falling from 1 by the rule that Garanzha et al. prove to
+// end in an untangled state, until every corner determinant of the region, over the wanted
+// area, exceeds `margin`. True if it got there.
+bool newton(const Problem &problem, const Region &region, Points &points, int iterations, double margin);
+
+} // namespace alphamst::geometry

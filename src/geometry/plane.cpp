@@ -1,0 +1,47 @@
+#include "geometry/plane.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace alphamst::geometry {
+
+Plane Plane::fit(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d &orientation) {
+    Plane plane;
+    for (const auto &p : points)
+        plane.origin_ += p / static_cast<double>(points.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const auto &p : points)
+        spread += (p - plane.origin_) * (p - plane.origin_).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
+    const Eigen::Vector3d values = eigen.eigenvalues(); // ascending
+    // The normal is free within the directions in which the points do not spread.
+    constexpr double flat = 1e-12;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    if (values[1] > flat * values[2]) {
+        normal = eigen.eigenvectors().col(0);
+        if (normal.dot(orientation) < 0)
+            normal = -normal;
+    } else {
+        normal = orientation;
+        if (values[2] > 0)
+            normal -= normal.dot(eigen.eigenvectors().col(2)) * eigen.eigenvectors().col(2);
+        if (normal.squaredNorm() <= flat * orientation.squaredNorm())
+            normal = eigen.eigenvectors().col(0);
+        normal.normalize();
+    }
+    plane.frame_.col(2) = normal;
+    plane.frame_.col(0) = normal.unitOrthogonal();
+    plane.frame_.col(1) = normal.cross(plane.frame_.col(0));
+    return plane;
+}
+
+double Plane::deviation(std::span<const Eigen::Vector3d> points) const {
+    double largest = 0;
+    for (const auto &p : points)
+        largest = std::max(largest, std::abs(height(p)));
+    return largest;
+}
+
+} // namespace alphamst::geometry

@@ -1,0 +1,91 @@
+#include "geometry/untangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/newton.h"
+#include "geometry/relax.h"
+
+namespace alphamst::geometry {
+
+namespace {
+
+// Corners count as positive from here on (of the wanted area), so that rounding after a
+// change of scale cannot turn one back.
+constexpr double positive = 1e-9;
+
+std::vector<int> tangled(const Problem &problem, const Points &points) {
+    std::vector<int> quads;
+    for (int q = 0; q < static_cast<int>(problem.quads.size()); ++q)
+        if (!(worst_determinant(problem, {&q, 1}, points) > positive))
+            quads.push_back(q);
+    return quads;
+}
+
+// A corner of fixed vertices only is not positive.
+bool hopeless(const Problem &problem, std::span<const int> quads, const Points &points) {
+    for (const int q : quads) {
+        const auto &quad = problem.quads[static_cast<std::size_t>(q)];
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto c = static_cast<std::size_t>(quad[k]), n = static_cast<std::size_t>(quad[(k + 1) % 4]),
+                       p = static_cast<std::size_t>(quad[(k + 3) % 4]);
+            if (problem.fixed[c] && problem.fixed[n] && problem.fixed[p] &&
+                !(cross(points[n] - points[c], points[p] - points[c]) > 0))
+                return true;
+        }
+    }
+    return false;
+}
+
+bool sweep_vertices(const Problem &problem, Region &region, Points &points, int sweeps) {
+    Barrier barrier{.area = problem.area};
+    double best = -std::numeric_limits<double>::infinity();
+    int without_gain = 0;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        const double worst = worst_determinant(problem, region.quads, points);
+        if (worst > positive)
+            return true;
+        // Stalled: let more vertices take part, or leave the rest to Newton's method.
+        if (worst > 0.95 * best) {
+            best = worst;
+            without_gain = 0;
+        } else if (++without_gain % 8 == 0) {
+            const std::size_t before = region.vertices.size();
+            region.extend(problem, 3);
+            if (without_gain >= 24 || region.vertices.size() == before)
+                return false;
+        }
+        barrier.epsilon = std::sqrt(1e-12 + 0.04 * worst * worst);
+        for (const int v : region.vertices)
+            relax(barrier, problem.stars.at(v), points, v, no_floor);
+    }
+    return worst_determinant(problem, region.quads, points) > positive;
+}
+
+} // namespace
+
+bool untangle(const Problem &problem, Points &points, int sweeps) {
+    std::vector<int> bad = tangled(problem, points);
+    if (bad.empty())
+        return true;
+    if (hopeless(problem, bad, points))
+        return false;
+    Region near(problem, bad, 3);
+    if (sweep_vertices(problem, near, points, sweeps))
+        return true;
+    const auto free = std::count(problem.fixed.begin(), problem.fixed.end(), char(0));
+    for (int layers = 4; layers <= 64; layers *= 2) {
+        bad = tangled(problem, points);
+        if (bad.empty())
+            return true;
+        const Region region(problem, bad, layers);
+        if (newton(problem, region, points, std::min(sweeps, 60), positive))
+            return true;
+        if (static_cast<std::ptrdiff_t>(region.vertices.size()) >= free)
+            break;
+    }
+    return false;
+}
+
+} // namespace alphamst::geometry

@@ -1,0 +1,33 @@
+// A mesh as plain arrays: what every reader returns and every writer takes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace alphamst::io {
+
+struct Arrays {
+    int dim = 3;                           // 2 when the file is planar (every z is 0)
+    std::vector<double> points;            // [n_vertices][3], z is 0 when dim is 2
+    std::vector<std::int32_t> faces;       // [n_faces][4] vertices, 0-based, as in the file
+    std::vector<std::int32_t> face_marker; // [n_faces] region numbers, or empty
+    struct MarkedEdge {
+        std::array<std::int32_t, 2> vertices;
+        std::int32_t marker;
+    };
+    std::vector<MarkedEdge> marked_edges; // boundary numbers, in file order
+};
+
+// Format by the extension of path (UTF-8): .off .obj .ply .msh .vtk; writing also
+// .svg. Throws Failure: io (cannot be opened, read or written), format (malformed,
+// with line number or byte offset in the sentence), unsupported (extension or
+// binary variant not known), not_quad (a face that is not a quadrilateral),
+// range (a corner that is not a vertex of the file), not_finite.
+Arrays read(const std::string &path);
+// Markers are kept by .msh alone; it is written as MSH 2.2. A failed write leaves the
+// file that was there. Throws likewise, and argument if the arrays do not fit together.
+void write(const std::string &path, const Arrays &mesh);
+
+} // namespace alphamst::io

@@ -1,0 +1,317 @@
+// Gmsh's MSH (Geuzaine and Remacle 2009): reads 2.x and 4.1, ASCII; writes 2.2,
+// which every program that reads MSH still reads. Lines become marked edges;
+// points are passed over. A marker is the physical tag; a line without one has the
+// tag of its curve instead, so that outlines of a model without physical groups
+// keep their numbers.
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "io/formats.h"
+#include "io/number.h"
+#include "io/scanner.h"
+
+namespace alphamst::io {
+namespace {
+
+// Element types of Gmsh's reference manual.
+constexpr std::int64_t line_type = 1, quad_type = 3, point_type = 15;
+
+bool is_line(std::int64_t type) { return type == line_type || type == 8 || (type >= 26 && type <= 28); }
+
+// Node tags to vertices: tags may be sparse and in any order.
+class Numbering {
+public:
+    void add(std::int64_t tag) {
+        const auto vertex = static_cast<std::int32_t>(tags_.size());
+        ascending_ = ascending_ && (tags_.empty() || tags_.back().first < tag);
+        tags_.emplace_back(tag, vertex);
+    }
+    // Returns false if a tag comes twice.
+    bool close() {
+        if (!ascending_)
+            std::sort(tags_.begin(), tags_.end());
+        return std::adjacent_find(tags_.begin(), tags_.end(), [](const auto &a, const auto &b) {
+                   return a.first == b.first;
+               }) == tags_.end();
+    }
+    std::int32_t find(std::int64_t tag) const {
+        // Tags 1, 2, 3, ... are the rule.
+        const auto size = static_cast<std::int64_t>(tags_.size());
+        if (tag >= 1 && tag <= size && tags_[static_cast<std::size_t>(tag - 1)].first == tag)
+            return tags_[static_cast<std::size_t>(tag - 1)].second;
+        const auto at = std::lower_bound(tags_.begin(), tags_.end(), std::pair{tag, std::int32_t{-1}});
+        return at != tags_.end() && at->first == tag ? at->second : -1;
+    }
+
+private:
+    std::vector<std::pair<std::int64_t, std::int32_t>> tags_;
+    bool ascending_ = true;
+};
+
+class Reader {
+public:
+    explicit Reader(std::string_view bytes) : scan_(bytes) {}
+
+    Arrays read() {
+        read_version();
+        while (!scan_.at_end()) {
+            const std::string_view section = scan_.word();
+            if (section == "$Entities" && four_)
+                read_entities();
+            else if (section == "$Nodes")
+                four_ ? read_nodes_4() : read_nodes_2();
+            else if (section == "$Elements")
+                read_elements();
+            else
+                skip(section);
+        }
+        if (!nodes_ || !elements_)
+            scan_.malformed(nodes_ ? "the file has no section $Elements" : "the file has no section $Nodes");
+        if (std::all_of(mesh_.face_marker.begin(), mesh_.face_marker.end(), [](int m) { return m == 0; }))
+            mesh_.face_marker.clear();
+        return finished(std::move(mesh_));
+    }
+
+private:
+    void expect_word(std::string_view expected) {
+        const std::string_view word = scan_.word();
+        if (word != expected)
+            scan_.malformed("found " + quoted(word) + " in place of " + std::string(expected));
+    }
+
+    void read_version() {
+        const std::string_view first = scan_.word();
+        if (first == "$NOD")
+            scan_.fail(Fault::unsupported, "MSH 1 is not read, only 2.x and 4.1");
+        if (first != "$MeshFormat")
+            scan_.malformed("found " + quoted(first) + " in place of $MeshFormat");
+        const std::string_view version = scan_.word();
+        double value = 0;
+        if (parse(version, value) != Parsed::number)
+            scan_.malformed("found " + quoted(version) + " in place of a version");
+        four_ = value == 4.1;
+        if (!four_ && !(value >= 2 && value < 3))
+            scan_.fail(Fault::unsupported, "MSH " + quoted(version) + " is not read, only 2.x and 4.1");
+        if (scan_.integer() != 0)
+            scan_.fail(Fault::unsupported, "binary MSH is not read");
+        scan_.line();
+        expect_word("$EndMeshFormat");
+    }
+
+    void skip(std::string_view section) {
+        if (section.size() < 2 || section[0] != '$' || section.starts_with("$End"))
+            scan_.malformed("found " + quoted(section) + " in place of a section");
+        const std::string end = "$End" + std::string(section.substr(1));
+        scan_.line();
+        while (!scan_.at_end())
+            if (scan_.line() == end)
+                return;
+        scan_.malformed("the section " + quoted(section) + " has no end");
+    }
+
+    std::int32_t small(std::int64_t tag) const {
+        if (tag < std::numeric_limits<std::int32_t>::min() || tag > std::numeric_limits<std::int32_t>::max())
+            scan_.fail(Fault::unsupported, "the tag " + std::to_string(tag) + " does not fit in 32 bits");
+        return static_cast<std::int32_t>(tag);
+    }
+
+    // tag, bounding box, physical tags: all that is wanted of a curve or surface.
+    void read_entities() {
+        std::array<std::int64_t, 4> n{};
+        for (std::int64_t &count : n)
+            count = scan_.count("entities", 8);
+        for (int dim = 0; dim < 4; ++dim)
+            for (std::int64_t i = 0; i < n[static_cast<std::size_t>(dim)]; ++i) {
+                const std::int64_t tag = scan_.integer();
+                for (int k = dim == 0 ? 3 : 6; k > 0; --k)
+                    scan_.real();
+                // The sign of a physical tag is an orientation.
+                if (scan_.count("physical tags", 2) > 0)
+                    physical_[{dim, tag}] = std::abs(small(
+                        std::max<std::int64_t>(scan_.integer(), -std::numeric_limits<std::int32_t>::max())));
+                scan_.line();
+            }
+        expect_word("$EndEntities");
+    }
+
+    void add_node(double x, double y, double z) { add_vertex(scan_, mesh_, x, y, z); }
+
+    void begin_nodes() {
+        if (nodes_)
+            scan_.malformed("the section $Nodes comes twice");
+        nodes_ = true;
+    }
+
+    void end_nodes() {
+        expect_word("$EndNodes");
+        if (!numbering_.close())
+            scan_.malformed("two nodes have the same number");
+    }
+
+    void read_nodes_2() {
+        begin_nodes();
+        const std::int64_t n = scan_.count("nodes", 8);
+        mesh_.points.reserve(static_cast<std::size_t>(n) * 3);
+        for (std::int64_t i = 0; i < n; ++i) {
+            numbering_.add(scan_.integer());
+            const double x = scan_.real(), y = scan_.real(), z = scan_.real();
+            add_node(x, y, z);
+        }
+        end_nodes();
+    }
+
+    void read_nodes_4() {
+        begin_nodes();
+        const std::int64_t n_blocks = scan_.count("blocks of nodes", 8), n = scan_.count("nodes", 8);
+        mesh_.points.reserve(static_cast<std::size_t>(n) * 3);
+        scan_.line();
+        std::int64_t n_read = 0;
+        for (std::int64_t block = 0; block < n_blocks; ++block) {
+            for (int skipped = 0; skipped < 3; ++skipped) // dimension, entity, parametric
+                scan_.integer();
+            const std::int64_t size = scan_.count("nodes", 8);
+            for (std::int64_t i = 0; i < size; ++i)
+                numbering_.add(scan_.integer());
+            for (std::int64_t i = 0; i < size; ++i) {
+                const double x = scan_.real(), y = scan_.real(), z = scan_.real();
+                add_node(x, y, z);
+                scan_.line(); // parameters on the curve or surface may follow
+            }
+            n_read += size;
+        }
+        if (n_read != n)
+            scan_.malformed(std::to_string(n) + " nodes are promised, but the blocks have " +
+                            std::to_string(n_read));
+        end_nodes();
+    }
+
+    std::int32_t node(const char *of) {
+        const std::int64_t tag = scan_.integer();
+        const std::int32_t vertex = numbering_.find(tag);
+        if (vertex >= 0)
+            return vertex;
+        const std::string text = " has node " + std::to_string(tag) + ", which is not in the file";
+        if (of != nullptr)
+            scan_.fail(Fault::range, of + text);
+        scan_.fail(Fault::range, "face {}" + text, Entity::face, {n_faces()});
+    }
+
+    std::int64_t n_faces() const { return static_cast<std::int64_t>(mesh_.faces.size() / 4); }
+
+    // The nodes of an element, from its first node to the end of its line.
+    void read_element(std::int64_t type, std::int32_t physical, std::int32_t entity) {
+        if (is_line(type)) {
+            const std::int32_t v = node("a line"), w = node("a line");
+            if (const std::int32_t marker = physical != 0 ? physical : entity; marker != 0)
+                mesh_.marked_edges.push_back({{v, w}, marker});
+        } else if (type == quad_type) {
+            std::int32_t quad[4];
+            for (std::int32_t &v : quad)
+                v = node(nullptr);
+            mesh_.faces.insert(mesh_.faces.end(), quad, quad + 4);
+            mesh_.face_marker.push_back(physical);
+        } else if (type != point_type) {
+            const std::string text =
+                type == 2 ? "is a triangle" : "is of Gmsh's type " + std::to_string(type);
+            scan_.fail(Fault::not_quad, "face {} " + text + ", not a quadrilateral", Entity::face,
+                       {n_faces()});
+        } else {
+            scan_.integer();
+        }
+        if ((type == line_type || type == quad_type) && !scan_.at_line_end())
+            scan_.malformed("an element has too many nodes: " + quoted(scan_.word()));
+        scan_.line();
+    }
+
+    void read_elements() {
+        if (elements_)
+            scan_.malformed("the section $Elements comes twice");
+        elements_ = true;
+        four_ ? read_elements_4() : read_elements_2();
+        expect_word("$EndElements");
+    }
+
+    void read_elements_2() {
+        const std::int64_t n = scan_.count("elements", 8);
+        for (std::int64_t i = 0; i < n; ++i) {
+            scan_.integer();
+            const std::int64_t type = scan_.integer(), n_tags = scan_.count("tags", 2);
+            std::array<std::int32_t, 2> tags{}; // physical, elementary; partitions follow
+            for (std::int64_t k = 0; k < n_tags; ++k)
+                if (const std::int64_t tag = scan_.integer(); k < 2)
+                    tags[static_cast<std::size_t>(k)] = small(tag);
+            read_element(type, tags[0], tags[1]);
+        }
+    }
+
+    void read_elements_4() {
+        const std::int64_t n_blocks = scan_.count("blocks of elements", 8), n = scan_.count("elements", 4);
+        scan_.line();
+        std::int64_t n_read = 0;
+        for (std::int64_t block = 0; block < n_blocks; ++block) {
+            const std::int64_t dim = scan_.integer(), entity = scan_.integer(), type = scan_.integer();
+            const std::int64_t size = scan_.count("elements", 4);
+            const auto physical = physical_.find({dim, entity});
+            for (std::int64_t i = 0; i < size; ++i) {
+                scan_.integer();
+                read_element(type, physical == physical_.end() ? 0 : physical->second, small(entity));
+            }
+            n_read += size;
+        }
+        if (n_read != n)
+            scan_.malformed(std::to_string(n) + " elements are promised, but the blocks have " +
+                            std::to_string(n_read));
+    }
+
+    Scanner scan_;
+    bool four_ = false, nodes_ = false, elements_ = false;
+    Numbering numbering_;
+    std::map<std::pair<std::int64_t, std::int64_t>, std::int32_t> physical_; // of (dimension, entity)
+    Arrays mesh_;
+};
+
+void append_element(std::string &text, std::int64_t number, std::int64_t type, std::int32_t marker,
+                    const std::int32_t *vertices, std::size_t n) {
+    // The elementary tag must not be 0; the marker itself keeps regions apart.
+    const std::array<std::int64_t, 5> head{number, type, 2, marker, marker == 0 ? 1 : marker};
+    for (std::int64_t i : head) {
+        append(text, i);
+        text += ' ';
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        append(text, std::int64_t{vertices[k]} + 1);
+        text += k + 1 < n ? ' ' : '\n';
+    }
+}
+
+} // namespace
+
+Arrays parse_msh(std::string_view bytes) { return Reader(bytes).read(); }
+
+std::string print_msh(const Arrays &mesh) {
+    std::string text =
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(mesh.points.size() / 3) + "\n";
+    for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+        append(text, static_cast<std::int64_t>(i / 3 + 1));
+        for (std::size_t k = 0; k < 3; ++k) {
+            text += ' ';
+            append(text, mesh.points[i + k]);
+        }
+        text += '\n';
+    }
+    std::string elements;
+    std::int64_t n = 0;
+    for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
+        if (edge.marker != 0)
+            append_element(elements, ++n, line_type, edge.marker, edge.vertices.data(), 2);
+    for (std::size_t f = 0; f < mesh.faces.size() / 4; ++f)
+        append_element(elements, ++n, quad_type, mesh.face_marker.empty() ? 0 : mesh.face_marker[f],
+                       &mesh.faces[4 * f], 4);
+    return text + "$EndNodes\n$Elements\n" + std::to_string(n) + "\n" + elements + "$EndElements\n";
+}
+
+} // namespace alphamst::io

@@ -1,0 +1,122 @@
+// QuadMesh: a manifold, oriented all-quad mesh on OpenMesh's half-edge kernel, with
+// flags, markers and an origin for every entity. replace_disk is the only function
+// that alters connectivity.
+#pragma once
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "failure.h"
+
+namespace alphamst::mesh {
+
+struct Traits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    VertexAttributes(OpenMesh::Attributes::None);
+    HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
+    EdgeAttributes(OpenMesh::Attributes::None);
+    FaceAttributes(OpenMesh::Attributes::None);
+};
+using Kernel = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
+
+enum Flag : std::uint8_t { fixed = 1, feature = 2, corner = 4 };
+
+// A copy is deep, and so is a move: OpenMesh's kernel has no move constructor.
+class QuadMesh {
+public:
+    // points [n][3]; faces [n][4], counter-clockwise, 0-based. Vertices without a
+    // face stay. Throws Failure: not_finite, range, not_quad, not_manifold
+    // (an edge with three faces, two faces that run along an edge in the same
+    // direction, a vertex whose faces are not one fan), naming the entity; argument,
+    // if dim is not 2 or 3 or a length is no multiple. Edges come in ascending order
+    // of their vertices, smaller first. The half-edge OpenMesh keeps for a face runs
+    // from its last corner to its first, so that OpenMesh's circulators, too, begin at
+    // the first corner.
+    static QuadMesh build(int dim, std::span<const double> points, std::span<const std::int32_t> faces);
+
+    int dim() const { return dim_; }
+    int n_vertices() const { return static_cast<int>(kernel_.n_vertices()); }
+    int n_edges() const { return static_cast<int>(kernel_.n_edges()); }
+    int n_faces() const { return static_cast<int>(kernel_.n_faces()); }
+    const Kernel &kernel() const { return kernel_; }
+
+    const OpenMesh::Vec3d &point(int v) const { return kernel_.point(Kernel::VertexHandle(v)); }
+    void set_point(int v, const OpenMesh::Vec3d &p) { kernel_.set_point(Kernel::VertexHandle(v), p); }
+    std::array<int, 4> corners(int face) const;       // in the order they were given
+    std::array<int, 2> edge_vertices(int edge) const; // smaller id first
+    // Left and right of (smaller -> larger), -1 beyond the boundary.
+    std::array<int, 2> edge_faces(int edge) const;
+    int find_edge(int v, int w) const;             // -1 if there is none
+    bool on_boundary(int v) const;                 // false for a vertex without a face
+    bool isolated(int v) const;                    // no face at it
+    int valence(int v) const;                      // number of edges at it
+    bool singular(int v) const;                    // interior and valence != 4
+    std::vector<int> faces_around(int v) const;    // counter-clockwise; from the boundary if on it
+    std::vector<int> vertices_around(int v) const; // counter-clockwise, one edge away; likewise
+    // The face across the edge from corner i to corner i+1 of face, -1 at the boundary.
+    std::array<int, 4> neighbours(int face) const;
+    std::vector<int> singularities() const; // ascending
+
+    // Flags and markers, one per entity.
+    std::vector<std::uint8_t> vertex_flags, edge_flags, face_flags; // bits of Flag
+    std::vector<std::int32_t> edge_marker, face_marker;             // 0: none; empty: all none
+
+    // Where each vertex, edge and face was when origins were last reset; -1 if new.
+    std::vector<std::int32_t> vertex_origin, edge_origin, face_origin;
+    void reset_origins();
+
+    // Replaces the faces of a disk by new ones. `loop` is the disk's boundary,
+    // counter-clockwise; quads use 0 .. loop.size()-1 for it and
+    // loop.size() .. loop.size()+points.size()-1 for new vertices at `points`.
+    // Nothing outside changes: no coordinate, no connectivity; ids of removed entities
+    // are used again, and only if fewer come than go do the last entities of
+    // the mesh move into the gaps (the origins tell). New faces inherit the marker of
+    // the removed ones (the most frequent). Costs O(disk). Throws Failure (internal) before any change if
+    // the quads do not fit the loop or would break the manifold: an interior edge that
+    // exists outside the disk, an edge of three quads, a boundary edge not used once.
+    struct Replaced {
+        std::vector<int> faces;    // ids of the new faces, in the order of quads
+        std::vector<int> vertices; // ids of the new vertices, in the order of points
+        // Renumbered outside the disk, in this order: from the end of the mesh into a gap.
+        std::vector<std::array<int, 2>> moved_faces, moved_vertices;
+    };
+    Replaced replace_disk(std::span<const int> faces, std::span<const int> loop,
+                          std::span<const std::array<int, 4>> quads, std::span<const OpenMesh::Vec3d> points);
+
+    // Full test of connectivity; in the plane also of orientation (every corner
+    // positive). Throws the first fault with its place.
+    void check() const;
+    // Digest of dim, coordinates, connectivity, flags and markers; equal for equal meshes
+    // only. An edge counts by its vertices, not by its id: a mesh built anew from the
+    // same vertices and faces has the same digest.
+    std::uint64_t checksum() const;
+
+private:
+    // What the kernel has surely room for. A copied vector keeps its elements, not its
+    // capacity, so a copy of this begins at nothing.
+    struct Room {
+        Room() = default;
+        Room(const Room &) noexcept {}
+        Room &operator=(const Room &) noexcept {
+            vertices = edges = faces = 0;
+            return *this;
+        }
+        std::size_t vertices = 0, edges = 0, faces = 0;
+    };
+
+    void reserve(std::size_t vertices, std::size_t edges, std::size_t faces);
+    void resize(std::size_t vertices, std::size_t edges, std::size_t faces);
+    void move_vertex(int from, int to);
+    void move_edge(int from, int to);
+    void move_face(int from, int to);
+    void check_sizes() const;
+
+    int dim_ = 3;
+    Kernel kernel_;
+    Room room_;
+};
+
+} // namespace alphamst::mesh

@@ -1,0 +1,58 @@
+// A window: a disk of faces of a mesh, its boundary loop and what the mesh around
+// it wants at every boundary vertex.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/quad_mesh.h"
+
+namespace alphamst::patch {
+
+// Numbers equal those of enum amst_defect.
+enum Defect : std::int32_t {
+    empty = 1,
+    not_connected = 2,
+    not_disk = 4,
+    pinched = 8,
+    overlap = 16,
+    crosses_feature = 32,
+    odd_boundary = 64,
+    corners = 128,
+    not_convex = 256
+};
+
+struct Window {
+    std::vector<int> faces;    // ascending
+    std::vector<int> loop;     // boundary vertices, counter-clockwise
+    std::vector<int> interior; // interior vertices, ascending
+    std::vector<int> inside;   // [loop] faces of the window at each boundary vertex
+    std::vector<int> outside;  // [loop] faces of the mesh outside the window at it
+    std::vector<int> wanted;   // [loop] the boundary word: faces inside that make the vertex regular
+};
+
+// Defect bits of a face set (empty, not_connected, not_disk, pinched,
+// crosses_feature, odd_boundary); 0 for a usable disk. An interior edge or vertex with a flag FIXED, FEATURE or
+// CORNER, an edge with a marker, or two faces of different markers, is crosses_feature.
+std::int32_t defects(const mesh::QuadMesh &mesh, std::span<const int> faces);
+
+// The window of a face set whose defects are 0.
+//
+// wanted: 4 - outside at an interior vertex of the mesh, max(1, round(angle / 90 deg)) -
+// outside at a vertex of the mesh boundary, at least 1. Where the angle inside the window is
+// not below 175 degrees it is at least 2, and so on for 2 x 175: a corner cannot span it.
+Window make_window(const mesh::QuadMesh &mesh, std::span<const int> faces);
+
+// Interior angle of the window at each loop vertex, degrees, from the angles of its faces.
+std::vector<double> loop_angles(const mesh::QuadMesh &mesh, const Window &window);
+
+// 0..1: area of the window over the area of its planar convex hull (in its mean
+// plane); 1 is convex.
+double convexity(const mesh::QuadMesh &mesh, const Window &window);
+
+// Singular vertices of the mesh in the window, boundary included.
+int singularities(const mesh::QuadMesh &mesh, const Window &window);
+
+} // namespace alphamst::patch

@@ -1,0 +1,161 @@
+/* Files: there and back in every format, and files that are none. */
+#include <stdio.h>
+
+#include "grid.h"
+
+static void write_text(const char *path, const char *text) {
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(text, 1, strlen(text), file), strlen(text));
+    assert_int_equal(fclose(file), 0);
+}
+
+static int exists(const char *path) {
+    FILE *file = fopen(path, "rb");
+    if (file != NULL)
+        fclose(file);
+    return file != NULL;
+}
+
+static void there_and_back(void **state) {
+    (void)state;
+    const char *const paths[] = {"capi_file.off", "capi_file.obj", "capi_file.ply", "capi_file.msh",
+                                 "capi_file.vtk"};
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, 5, 4);
+    double *points = points_of(mesh);
+    points[2 * 7] += 1.0 / 3; /* no short decimal fraction */
+    must(amst_mesh_set_points(mesh, points, 30));
+    free(points);
+    for (size_t k = 0; k < sizeof paths / sizeof *paths; ++k) {
+        amst_mesh *back = NULL;
+        must(amst_mesh_write(mesh, paths[k]));
+        must(amst_mesh_read(ctx, paths[k], NULL, &back));
+        assert_true(checksum(back) == checksum(mesh));
+        amst_mesh_destroy(back);
+        assert_int_equal(remove(paths[k]), 0);
+    }
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+static const char marked[] = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                             "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n"
+                             "$Elements\n4\n"
+                             "1 1 2 7 7 1 2\n2 1 2 9 9 1 5\n" /* an edge with number 7; no edge of the mesh */
+                             "3 3 2 11 11 1 2 5 4\n4 3 2 12 12 2 3 6 5\n$EndElements\n";
+
+static void markers_are_features_and_come_back(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_options *plain = NULL;
+    amst_mesh *mesh = NULL, *back = NULL;
+    amst_patches *set = NULL;
+    const amst_id both[2] = {0, 1};
+    int32_t defects = 0, dim = 0;
+    write_text("capi_marked.msh", marked);
+    must(amst_mesh_read(ctx, "capi_marked.msh", NULL, &mesh));
+    must(amst_mesh_get_dim(mesh, &dim));
+    assert_int_equal(dim, 2);
+    assert_int_equal(count_of(mesh, AMST_FACE), 2);
+    must(amst_options_create(&plain));
+    must(amst_options_set_int(plain, AMST_OPT_REPAIR_PATCHES, 0));
+    must(amst_patches_create(mesh, plain, &set));
+    must(amst_patches_add_faces(set, both, 2, NULL));
+    must(amst_patches_check(set, 0, &defects, NULL));
+    assert_true(defects & AMST_DEFECT_CROSSES_FEATURE); /* regions 11 and 12 */
+    must(amst_mesh_write(mesh, "capi_marked.msh"));
+    must(amst_mesh_read(ctx, "capi_marked.msh", NULL, &back));
+    assert_true(checksum(back) == checksum(mesh)); /* markers are in the digest */
+    remove("capi_marked.msh");
+    amst_patches_destroy(set);
+    amst_options_destroy(plain);
+    amst_mesh_destroy(mesh);
+    amst_mesh_destroy(back);
+    amst_context_destroy(ctx);
+}
+
+static void pictures(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, 5, 5);
+    amst_options *plain = NULL;
+    amst_patches *set = NULL;
+    amst_mesh *back = NULL;
+    const amst_id apart[2] = {0, 24};
+    must(amst_options_create(&plain));
+    must(amst_options_set_int(plain, AMST_OPT_REPAIR_PATCHES, 0));
+    must(amst_patches_create(mesh, plain, &set));
+    add_square(set, 5, 1, 4);
+    must(amst_patches_add_faces(set, apart, 2, NULL));
+    must(amst_mesh_write(mesh, "capi_mesh.svg"));
+    must(amst_patches_write(set, "capi_patches.svg"));
+    refused(AMST_ERR_UNSUPPORTED, amst_patches_write(set, "capi_patches.off"));
+    refused(AMST_ERR_UNSUPPORTED, amst_mesh_read(ctx, "capi_mesh.svg", NULL, &back));
+    assert_int_equal(remove("capi_mesh.svg"), 0);
+    assert_int_equal(remove("capi_patches.svg"), 0);
+    assert_null(back);
+    amst_patches_destroy(set);
+    amst_options_destroy(plain);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+static void what_is_no_mesh_is_refused(void **state) {
+    (void)state;
+    static const struct {
+        const char *path, *text;
+        amst_status status;
+    } bad[] = {
+        {"capi_bad.off", "", AMST_ERR_FORMAT},
+        {"capi_bad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n", AMST_ERR_FORMAT},
+        {"capi_bad.off", "OFF\n100000000000 1 0\n0 0 0\n", AMST_ERR_FORMAT},
+        {"capi_bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n", AMST_ERR_NOT_QUAD},
+        {"capi_bad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 4\n", AMST_ERR_RANGE},
+        {"capi_bad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 nan 0\n0 1 0\n4 0 1 2 3\n", AMST_ERR_NOT_FINITE},
+        {"capi_bad.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n", AMST_ERR_RANGE},
+        {"capi_bad.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n4 0 1 2 3\n",
+         AMST_ERR_NOT_MANIFOLD},
+        {"capi_bad.vtk", "not a vtk file\n", AMST_ERR_FORMAT},
+        {"capi_bad.msh", "$MeshFormat\n2.2 0 8\n", AMST_ERR_FORMAT},
+        {"capi_bad.stl", "solid\n", AMST_ERR_UNSUPPORTED},
+        {"capi_bad", "OFF\n", AMST_ERR_UNSUPPORTED},
+    };
+    amst_context *ctx = new_context(0);
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k) {
+        amst_mesh *mesh = NULL;
+        write_text(bad[k].path, bad[k].text);
+        const amst_status status = amst_mesh_read(ctx, bad[k].path, NULL, &mesh);
+        remove(bad[k].path);
+        if (status != bad[k].status)
+            fail_msg("case %d: %s (%s)", (int)k, amst_status_name(status), amst_last_error());
+        assert_null(mesh);
+        assert_true(strlen(amst_last_error()) > 10);
+    }
+    amst_context_destroy(ctx);
+}
+
+static void paths_that_lead_nowhere(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, 2, 2), *back = NULL;
+    refused(AMST_ERR_IO, amst_mesh_read(ctx, "capi_no_such_file.off", NULL, &back));
+    refused(AMST_ERR_IO, amst_mesh_write(mesh, "capi_no_such_directory/mesh.off"));
+    refused(AMST_ERR_UNSUPPORTED, amst_mesh_write(mesh, "capi_mesh.stl"));
+    refused(AMST_ERR_UNSUPPORTED, amst_mesh_write(mesh, ""));
+    assert_false(exists("capi_mesh.stl"));
+    assert_null(back);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(there_and_back),
+        cmocka_unit_test(markers_are_features_and_come_back),
+        cmocka_unit_test(pictures),
+        cmocka_unit_test(what_is_no_mesh_is_refused),
+        cmocka_unit_test(paths_that_lead_nowhere),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,306 @@
+/* Meshes from arrays: layouts that mean the same mesh, and input that is none. */
+#include <math.h>
+
+#include "grid.h"
+
+enum { nx = 4, ny = 3, n_vertices = 20, n_faces = 12 };
+
+static amst_status create(amst_context *ctx, int32_t dim, const double *points, int64_t nv,
+                          const int32_t *faces, int64_t nf, amst_mesh **out) {
+    return amst_mesh_create(ctx, dim, points, nv, 0, 0, faces, nf, 0, 0, 4, NULL, out);
+}
+
+static void layouts_agree(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *packed = new_grid(ctx, 0, nx, ny), *mesh = NULL;
+    double *points = grid_points(nx, ny);
+    int32_t *faces = grid_faces(nx, ny, 0);
+
+    /* structure of arrays; corners one after the other, 64 bits wide */
+    double by_component[2 * n_vertices];
+    int64_t by_corner[4 * n_faces];
+    for (int v = 0; v < n_vertices; ++v)
+        for (int c = 0; c < 2; ++c)
+            by_component[c * n_vertices + v] = points[2 * v + c];
+    for (int f = 0; f < n_faces; ++f)
+        for (int c = 0; c < 4; ++c)
+            by_corner[c * n_faces + f] = faces[4 * f + c];
+    must(amst_mesh_create_i64(ctx, 2, by_component, n_vertices, 1, n_vertices, by_corner, n_faces, 1, n_faces,
+                              4, NULL, &mesh));
+    assert_true(checksum(mesh) == checksum(packed));
+    amst_mesh_destroy(mesh);
+
+    /* padded rows */
+    double padded[5 * n_vertices];
+    int32_t padded_faces[6 * n_faces];
+    for (int i = 0; i < 5 * n_vertices; ++i)
+        padded[i] = NAN;
+    for (int i = 0; i < 6 * n_faces; ++i)
+        padded_faces[i] = -77;
+    for (int v = 0; v < n_vertices; ++v)
+        memcpy(padded + 5 * v, points + 2 * v, 2 * sizeof(double));
+    for (int f = 0; f < n_faces; ++f)
+        memcpy(padded_faces + 6 * f, faces + 4 * f, 4 * sizeof(int32_t));
+    must(amst_mesh_create(ctx, 2, padded, n_vertices, 5, 1, padded_faces, n_faces, 6, 1, 4, NULL, &mesh));
+    assert_true(checksum(mesh) == checksum(packed));
+    amst_mesh_destroy(mesh);
+
+    /* other numbering */
+    amst_context *ctx1 = new_context(1);
+    mesh = new_grid(ctx1, 1, nx, ny);
+    assert_true(checksum(mesh) == checksum(packed));
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx1);
+
+    amst_mesh_destroy(packed);
+    amst_context_destroy(ctx);
+    free(points);
+    free(faces);
+}
+
+static void arrays_come_back(void **state) {
+    (void)state;
+    for (int32_t dim = 2; dim <= 3; ++dim) {
+        amst_context *ctx = new_context(0);
+        double *flat = grid_points(nx, ny), points[3 * n_vertices];
+        int32_t *faces = grid_faces(nx, ny, 0), told = 0;
+        for (int v = 0; v < n_vertices; ++v) {
+            points[dim * v] = flat[2 * v] + 0.125;
+            points[dim * v + 1] = flat[2 * v + 1];
+            if (dim == 3)
+                points[dim * v + 2] = 0.25 * flat[2 * v];
+        }
+        amst_mesh *mesh = NULL;
+        must(create(ctx, dim, points, n_vertices, faces, n_faces, &mesh));
+        must(amst_mesh_get_dim(mesh, &told));
+        assert_int_equal(told, dim);
+        assert_int_equal(count_of(mesh, AMST_VERTEX), n_vertices);
+        assert_int_equal(count_of(mesh, AMST_EDGE), nx * (ny + 1) + ny * (nx + 1));
+        assert_int_equal(count_of(mesh, AMST_FACE), n_faces);
+        double *back = points_of(mesh);
+        amst_id *faces_back = faces_of(mesh);
+        assert_memory_equal(back, points, sizeof(double) * (size_t)dim * n_vertices);
+        assert_memory_equal(faces_back, faces, sizeof(int32_t) * 4 * n_faces);
+        must(amst_mesh_check(mesh));
+        assert_int_equal(revision(mesh), 0);
+        free(back);
+        free(faces_back);
+        free(flat);
+        free(faces);
+        amst_mesh_destroy(mesh);
+        amst_context_destroy(ctx);
+    }
+}
+
+static void unreferenced_vertices_stay(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    const double points[12] = {9, 9, 0, 0, 1, 0, 1, 1, 0, 1, 8, 8};
+    const int32_t face[4] = {1, 2, 3, 4};
+    int32_t valences[6];
+    int64_t n;
+    amst_mesh *mesh = NULL;
+    must(create(ctx, 2, points, 6, face, 1, &mesh));
+    assert_int_equal(count_of(mesh, AMST_VERTEX), 6);
+    must(amst_mesh_get_valences(mesh, valences, 6, &n));
+    assert_int_equal(valences[0], 0);
+    assert_int_equal(valences[1], 2);
+    assert_int_equal(n_singular(mesh), 0);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+static void bad_numbers_are_refused(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    double *points = grid_points(nx, ny);
+    int32_t *faces = grid_faces(nx, ny, 0);
+    amst_mesh *mesh = NULL;
+    points[2 * 7] = NAN;
+    refused(AMST_ERR_NOT_FINITE, create(ctx, 2, points, n_vertices, faces, n_faces, &mesh));
+    assert_error_names(AMST_VERTEX, 7);
+    points[2 * 7] = -INFINITY;
+    refused(AMST_ERR_NOT_FINITE, create(ctx, 2, points, n_vertices, faces, n_faces, &mesh));
+    points[2 * 7] = 2;
+
+    faces[4 * 5 + 2] = n_vertices;
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, n_vertices, faces, n_faces, &mesh));
+    assert_error_names(AMST_FACE, 5);
+    faces[4 * 5 + 2] = -1;
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, n_vertices, faces, n_faces, &mesh));
+    assert_error_names(AMST_FACE, 5);
+    faces[4 * 5 + 2] = faces[4 * 5];
+    refused(AMST_ERR_NOT_QUAD, create(ctx, 2, points, n_vertices, faces, n_faces, &mesh));
+    assert_error_names(AMST_FACE, 5);
+    assert_null(mesh);
+    free(points);
+    free(faces);
+    amst_context_destroy(ctx);
+}
+
+static void corners_of_64_bits_must_fit(void **state) {
+    (void)state;
+    const double points[8] = {0, 0, 1, 0, 1, 1, 0, 1};
+    const int64_t bad[] = {INT64_C(4294967296), INT64_MAX, INT64_MIN, INT64_C(2147483648), -1, 6};
+    for (int32_t base = 0; base <= 1; ++base) {
+        amst_context *ctx = new_context(base);
+        for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+            const int64_t face[4] = {base, 1 + base, bad[i], 3 + base};
+            amst_mesh *mesh = NULL;
+            refused(AMST_ERR_RANGE,
+                    amst_mesh_create_i64(ctx, 2, points, 4, 0, 0, face, 1, 0, 0, 4, NULL, &mesh));
+            assert_error_names(AMST_FACE, base);
+            assert_null(mesh);
+        }
+        amst_context_destroy(ctx);
+    }
+}
+
+static void base_1_has_no_vertex_0(void **state) {
+    (void)state;
+    const double points[8] = {0, 0, 1, 0, 1, 1, 0, 1};
+    const int32_t zero[4] = {0, 1, 2, 3}, least[4] = {INT32_MIN, 1, 2, 3}, good[4] = {1, 2, 3, 4};
+    amst_context *ctx = new_context(1);
+    amst_mesh *mesh = NULL;
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, 4, zero, 1, &mesh));
+    assert_error_names(AMST_FACE, 1);
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, 4, least, 1, &mesh));
+    must(create(ctx, 2, points, 4, good, 1, &mesh));
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+static void shapes_of_arrays_are_checked(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    double *points = grid_points(nx, ny);
+    int32_t *faces = grid_faces(nx, ny, 0);
+    amst_mesh *mesh = NULL;
+    refused(AMST_ERR_ARGUMENT, create(ctx, 1, points, n_vertices, faces, n_faces, &mesh));
+    refused(AMST_ERR_ARGUMENT, create(ctx, 4, points, n_vertices, faces, n_faces, &mesh));
+    refused(AMST_ERR_ARGUMENT,
+            amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, faces, n_faces, 0, 0, 3, NULL, &mesh));
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, -1, faces, n_faces, &mesh));
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, n_vertices, faces, -1, &mesh));
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, n_vertices, faces, 0, &mesh));
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, n_vertices, NULL, 0, &mesh));
+    refused(AMST_ERR_RANGE, create(ctx, 2, NULL, 0, faces, n_faces, &mesh));
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, INT64_MAX, faces, n_faces, &mesh));
+    refused(AMST_ERR_RANGE, create(ctx, 2, points, n_vertices, faces, INT64_C(100000000000), &mesh));
+    const int64_t strides[][2] = {{-2, 1}, {2, -1}, {0, 1}, {2, 0}, {INT64_MIN, 1}};
+    for (size_t i = 0; i < sizeof strides / sizeof *strides; ++i) {
+        refused(AMST_ERR_ARGUMENT, amst_mesh_create(ctx, 2, points, n_vertices, strides[i][0], strides[i][1],
+                                                    faces, n_faces, 0, 0, 4, NULL, &mesh));
+        refused(AMST_ERR_ARGUMENT, amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, faces, n_faces,
+                                                    strides[i][0], strides[i][1], 4, NULL, &mesh));
+    }
+    refused(AMST_ERR_RANGE,
+            amst_mesh_create(ctx, 2, points, n_vertices, INT64_MAX, 1, faces, n_faces, 0, 0, 4, NULL, &mesh));
+    refused(AMST_ERR_RANGE, amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, faces, n_faces, 4,
+                                             INT64_MAX / 2, 4, NULL, &mesh));
+    assert_null(mesh);
+    free(points);
+    free(faces);
+    amst_context_destroy(ctx);
+}
+
+static void what_is_no_surface_is_refused(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = NULL;
+    double points[60];
+    for (int i = 0; i < 60; ++i)
+        points[i] = (i * 37) % 23;
+    const int32_t three_at_an_edge[12] = {0, 1, 2, 3, 0, 1, 4, 5, 1, 0, 6, 7};
+    refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, three_at_an_edge, 3, &mesh));
+    const int32_t moebius[12] = {0, 1, 2, 3, 3, 2, 4, 5, 5, 4, 0, 1}; /* closes with a half turn */
+    refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, moebius, 3, &mesh));
+    const int32_t one_turned[8] = {0, 1, 2, 3, 1, 2, 5, 4};
+    refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, one_turned, 2, &mesh));
+    const int32_t touching[8] = {0, 1, 2, 3, 0, 4, 5, 6}; /* two fans at vertex 0 */
+    refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, touching, 2, &mesh));
+    assert_error_names(AMST_VERTEX, 0);
+    const int32_t triangles[8] = {0, 1, 2, 2, 2, 1, 4, 4};
+    refused(AMST_ERR_NOT_QUAD, create(ctx, 3, points, 20, triangles, 2, &mesh));
+    assert_null(mesh);
+    amst_context_destroy(ctx);
+}
+
+static void new_points_keep_the_rest(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, nx, ny);
+    double *points = points_of(mesh);
+    const int64_t before = checksum(mesh);
+    points[2 * 6] += 0.25;
+    must(amst_mesh_set_points(mesh, points, n_vertices));
+    assert_int_equal(revision(mesh), 0);
+    assert_true(checksum(mesh) != before);
+    double *back = points_of(mesh);
+    assert_memory_equal(back, points, sizeof(double) * 2 * n_vertices);
+    const int64_t moved = checksum(mesh);
+    points[2 * n_vertices - 1] = NAN;
+    refused(AMST_ERR_NOT_FINITE, amst_mesh_set_points(mesh, points, n_vertices));
+    assert_error_names(AMST_VERTEX, n_vertices - 1);
+    refused(AMST_ERR_RANGE, amst_mesh_set_points(mesh, points, n_vertices - 1));
+    refused(AMST_ERR_RANGE, amst_mesh_set_points(mesh, points, -1));
+    refused(AMST_ERR_NULL, amst_mesh_set_points(mesh, NULL, n_vertices));
+    assert_true(checksum(mesh) == moved);
+    free(back);
+    free(points);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+static void a_clone_goes_its_own_way(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, nx, ny), *copy = NULL;
+    must(amst_mesh_clone(mesh, &copy));
+    assert_true(checksum(copy) == checksum(mesh));
+    must(amst_mesh_set_flags(copy, AMST_VERTEX, NULL, 0, AMST_FLAG_FIXED, AMST_FLAG_FIXED));
+    int32_t flags[n_vertices];
+    int64_t n;
+    must(amst_mesh_get_flags(mesh, AMST_VERTEX, flags, n_vertices, &n));
+    for (int v = 0; v < n_vertices; ++v)
+        assert_int_equal(flags[v], 0);
+    amst_mesh_destroy(mesh);
+    must(amst_mesh_check(copy));
+    amst_mesh_destroy(copy);
+    amst_context_destroy(ctx);
+}
+
+static void check_finds_a_face_turned_over(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(1);
+    amst_mesh *mesh = new_grid(ctx, 1, nx, ny);
+    must(amst_mesh_check(mesh));
+    double *points = points_of(mesh);
+    points[2 * 6] = 40; /* vertex 7 far outside */
+    must(amst_mesh_set_points(mesh, points, n_vertices));
+    assert_true(amst_mesh_check(mesh) < 0);
+    int32_t entity;
+    must(amst_last_error_where(&entity, NULL, NULL));
+    assert_int_equal(entity, AMST_FACE);
+    free(points);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(layouts_agree),
+        cmocka_unit_test(arrays_come_back),
+        cmocka_unit_test(unreferenced_vertices_stay),
+        cmocka_unit_test(bad_numbers_are_refused),
+        cmocka_unit_test(corners_of_64_bits_must_fit),
+        cmocka_unit_test(base_1_has_no_vertex_0),
+        cmocka_unit_test(shapes_of_arrays_are_checked),
+        cmocka_unit_test(what_is_no_surface_is_refused),
+        cmocka_unit_test(new_points_keep_the_rest),
+        cmocka_unit_test(a_clone_goes_its_own_way),
+        cmocka_unit_test(check_finds_a_face_turned_over),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,114 @@
+/* What a report tells, and that it outlives everything. */
+#include <math.h>
+
+#include "grid.h"
+
+static const int32_t integer_keys[] = {
+    AMST_RESULT_STATUS,         AMST_RESULT_FACES_BEFORE,    AMST_RESULT_FACES_AFTER,
+    AMST_RESULT_FACES_WANTED,   AMST_RESULT_SINGULAR_BEFORE, AMST_RESULT_SINGULAR_AFTER,
+    AMST_RESULT_SINGULAR_BOUND, AMST_RESULT_CANDIDATE,
+};
+static const int32_t real_keys[] = {AMST_RESULT_ALPHA, AMST_RESULT_QUALITY_BEFORE, AMST_RESULT_QUALITY_AFTER,
+                                    AMST_RESULT_SECONDS};
+
+static void it_outlives_mesh_and_patches(void **state) {
+    (void)state;
+    for (int32_t base = 0; base <= 1; ++base) {
+        amst_context *ctx = new_context(base);
+        amst_mesh *mesh = new_grid(ctx, base, 10, 10);
+        amst_patches *set = NULL;
+        amst_report *report = NULL;
+        const double low[3] = {2, 2, 0}, high[3] = {8, 8, 0};
+        must(amst_patches_create(mesh, NULL, &set));
+        must(amst_patches_add_box(set, low, high, NULL));
+        must(amst_adapt(mesh, set, 2, NULL, &report));
+        const int64_t n_faces = count_of(mesh, AMST_FACE), singular = n_singular(mesh);
+        amst_patches_destroy(set);
+        amst_mesh_destroy(mesh);
+        amst_context_destroy(ctx);
+
+        int64_t value, valence3, valence4, valence5, n;
+        double real;
+        for (size_t k = 0; k < sizeof integer_keys / sizeof *integer_keys; ++k) {
+            must(amst_report_get_int(report, base, integer_keys[k], &value));
+            must(amst_report_get_int(report, AMST_ALL, integer_keys[k], &value));
+            refused(AMST_ERR_NOT_FOUND, amst_report_get_real(report, AMST_ALL, integer_keys[k], &real));
+        }
+        for (size_t k = 0; k < sizeof real_keys / sizeof *real_keys; ++k) {
+            must(amst_report_get_real(report, base, real_keys[k], &real));
+            assert_true(isfinite(real));
+            must(amst_report_get_real(report, AMST_ALL, real_keys[k], &real));
+            assert_true(isfinite(real));
+            refused(AMST_ERR_NOT_FOUND, amst_report_get_int(report, AMST_ALL, real_keys[k], &value));
+        }
+        assert_true(real_result(report, base, AMST_RESULT_ALPHA) == 2);
+        assert_true(real_result(report, AMST_ALL, AMST_RESULT_ALPHA) == 2);
+        assert_true(fabs(real_result(report, base, AMST_RESULT_QUALITY_BEFORE) - 1) < 1e-12);
+        assert_true(real_result(report, base, AMST_RESULT_QUALITY_AFTER) > 0);
+        assert_true(real_result(report, AMST_ALL, AMST_RESULT_SECONDS) >= 0);
+        assert_int_equal(result(report, AMST_ALL, AMST_RESULT_SINGULAR_BEFORE), 0);
+        assert_int_equal(result(report, AMST_ALL, AMST_RESULT_SINGULAR_AFTER), singular);
+        must(amst_report_get_valence(report, AMST_ALL, 0, 4, &valence4));
+        assert_int_equal(valence4, 81);
+        must(amst_report_get_valence(report, AMST_ALL, 1, 3, &valence3));
+        must(amst_report_get_valence(report, AMST_ALL, 1, 5, &valence5));
+        assert_int_equal(valence3, valence5); /* the mesh around is flat */
+        assert_int_equal(valence3 + valence5, singular);
+        must(amst_report_get_valence(report, base, 0, 3, &valence3));
+        assert_int_equal(valence3, 0);
+        must(amst_report_get_valence(report, base, 1, -8, &valence3));
+        assert_int_equal(valence3, 0);
+        must(amst_report_get_origin(report, AMST_FACE, NULL, 0, &n));
+        assert_int_equal(n, n_faces);
+        refused(AMST_ERR_ARGUMENT, amst_report_get_origin(report, 4, NULL, 0, &n));
+        refused(AMST_ERR_RANGE, amst_report_get_int(report, base + 1, AMST_RESULT_STATUS, &value));
+        refused(AMST_ERR_RANGE, amst_report_get_int(report, base - 1, AMST_RESULT_STATUS, &value));
+        refused(AMST_ERR_NOT_FOUND, amst_report_get_int(report, base, 999, &value));
+        refused(AMST_ERR_NOT_FOUND, amst_report_get_real(report, base, 1999, &real));
+        amst_report_destroy(report);
+    }
+}
+
+/* Edges whose vertices both stayed come from the edge between the old ones. */
+static void edge_origins_fit_vertex_origins(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, 8, 8), *old = NULL;
+    amst_patches *set = NULL;
+    amst_report *report = NULL;
+    must(amst_mesh_clone(mesh, &old));
+    must(amst_patches_create(mesh, NULL, &set));
+    add_square(set, 8, 2, 6);
+    must(amst_adapt(mesh, set, 1.5, NULL, &report));
+    const int64_t n_edges = count_of(mesh, AMST_EDGE), n_old = count_of(old, AMST_EDGE);
+    int64_t n, kept = 0;
+    amst_id *vertex_origin = origin_of(report, AMST_VERTEX), *edge_origin = origin_of(report, AMST_EDGE);
+    amst_id *edges = memory(sizeof(amst_id) * 2 * (size_t)n_edges);
+    must(amst_report_get_origin(report, AMST_EDGE, NULL, 0, &n));
+    assert_int_equal(n, n_edges);
+    must(amst_mesh_get_edges(mesh, edges, 2 * n_edges, &n));
+    for (int64_t e = 0; e < n_edges; ++e)
+        if (edge_origin[e] != -1) {
+            amst_id pair[2] = {vertex_origin[edges[2 * e]], vertex_origin[edges[2 * e + 1]]}, found = -1;
+            must(amst_mesh_find_edges(old, pair, 1, &found));
+            assert_int_equal(edge_origin[e], found);
+            ++kept;
+        }
+    assert_int_equal(kept, n_old - 24); /* all but those inside the 4 x 4 square */
+    free(edges);
+    free(vertex_origin);
+    free(edge_origin);
+    amst_report_destroy(report);
+    amst_patches_destroy(set);
+    amst_mesh_destroy(old);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(it_outlives_mesh_and_patches),
+        cmocka_unit_test(edge_origins_fit_vertex_origins),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,122 @@
+// Damaged files of every format: each is read to a mesh in order or to a failure,
+// never to a crash (run under sanitizers, this says more).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "io/formats.h"
+#include "samples.h"
+
+namespace alphamst::io {
+namespace {
+
+struct Sample {
+    const char *name;
+    Arrays (*parse)(std::string_view);
+    std::string bytes;
+};
+
+std::string raw(std::initializer_list<int> numbers) { // big-endian
+    std::string text;
+    for (int number : numbers)
+        for (int shift = 24; shift >= 0; shift -= 8)
+            text += static_cast<char>(number >> shift & 255);
+    return text;
+}
+
+std::vector<Sample> all_samples() {
+    Arrays mesh = samples::grid(2, 3);
+    mesh.face_marker = {1, 2, 3, 4};
+    mesh.marked_edges = {{{0, 1}, 3}, {{1, 2}, 5}};
+    const std::string vtk_points = " UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 0\n";
+    return {{"off", parse_off, print_off(mesh)},
+            {"obj", parse_obj, print_obj(mesh)},
+            {"ply", parse_ply, print_ply(mesh)},
+            {"msh 2", parse_msh, print_msh(mesh)},
+            {"vtk", parse_vtk, print_vtk(mesh)},
+            {"binary ply", parse_ply,
+             "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty "
+             "int z\n"
+             "element face 1\nproperty list uint int vertex_indices\nend_header\n" +
+                 raw({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 4, 0, 1, 2, 3})},
+            {"msh 4", parse_msh,
+             "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 1 1 0\n1 0 0 0 1 0 0 1 5 0\n1 0 0 0 1 1 0 1 "
+             "9 0\n"
+             "$EndEntities\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
+             "$Elements\n2 2 1 2\n1 1 1 1\n1 1 2\n2 1 3 1\n2 1 2 3 4\n$EndElements\n"},
+            {"vtk 5.1", parse_vtk,
+             "# vtk DataFile Version 5.1\nx\nASCII\nDATASET" + vtk_points +
+                 "FIELD f 1\na 1 2 int\n1 2\nCELLS 2 4\nOFFSETS int\n0 4\nCONNECTIVITY int\n0 1 2 "
+                 "3\nCELL_TYPES 1\n9\n"},
+            {"binary vtk", parse_vtk,
+             "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 int\n" +
+                 raw({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) + "\nCELLS 1 5\n" + raw({4, 0, 1, 2, 3}) +
+                 "\nCELL_TYPES 1\n" + raw({9})}};
+}
+
+// Reads; what comes out must be in order. Returns whether it was read.
+bool survives(const Sample &sample, std::string_view bytes) {
+    Arrays mesh;
+    try {
+        mesh = sample.parse(bytes);
+    } catch (const Failure &failure) {
+        EXPECT_NE(failure.fault, Fault::internal);
+        EXPECT_FALSE(failure.text.empty());
+        return false;
+    }
+    EXPECT_EQ(mesh.points.size() % 3, 0u);
+    EXPECT_EQ(mesh.faces.size() % 4, 0u);
+    EXPECT_TRUE(mesh.face_marker.empty() || mesh.face_marker.size() == mesh.faces.size() / 4);
+    EXPECT_LT(mesh.points.size(), bytes.size() + 3);
+    for (double x : mesh.points)
+        EXPECT_TRUE(std::isfinite(x));
+    for (std::int32_t v : mesh.faces)
+        EXPECT_TRUE(v >= 0 && static_cast<std::size_t>(v) < mesh.points.size() / 3);
+    for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
+        for (std::int32_t v : edge.vertices)
+            EXPECT_TRUE(v >= 0 && static_cast<std::size_t>(v) < mesh.points.size() / 3);
+    return true;
+}
+
+TEST(Fuzz, SamplesAreSound) {
+    for (const Sample &sample : all_samples())
+        EXPECT_TRUE(survives(sample, sample.bytes)) << sample.name;
+}
+
+TEST(Fuzz, Truncations) {
+    for (const Sample &sample : all_samples())
+        for (std::size_t n = 0; n < sample.bytes.size(); ++n)
+            survives(sample, std::string(sample.bytes, 0, n));
+}
+
+TEST(Fuzz, DamagedBytes) {
+    std::mt19937 random(20);
+    static constexpr std::string_view favourites = "0123456789-+.eE \n\r#$/\\\xff\x7f\x80naif";
+    for (const Sample &sample : all_samples())
+        for (int round = 0; round < 1500; ++round) {
+            std::string bytes = sample.bytes;
+            for (unsigned n = 1 + random() % 4; n > 0; --n) {
+                const std::size_t at = random() % bytes.size();
+                switch (random() % 4) {
+                case 0:
+                    bytes[at] = static_cast<char>(random() % 256);
+                    break;
+                case 1:
+                    bytes[at] = favourites[random() % favourites.size()];
+                    break;
+                case 2:
+                    bytes.erase(at, random() % 9);
+                    bytes += ' ';
+                    break;
+                default:
+                    bytes.insert(at, random() % 2 == 0 ? "99999999999"
+                                                       : bytes.substr(random() % bytes.size(), 12));
+                }
+            }
+            survives(sample, bytes);
+        }
+}
+
+} // namespace
+} // namespace alphamst::io

@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include "io/formats.h"
+#include "samples.h"
+
+namespace alphamst::io {
+namespace {
+
+using samples::failure_of;
+
+// Two squares; node numbers sparse and unordered, node 7 in no face.
+const std::string two =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 5 \"$wall\"\n$EndPhysicalNames\n"
+    "$Nodes\n7\n10 0 0 0\n3 1 0 0\n900 1 1 0\n4 0 1 0\n5 2 0 0\n6 2 1 0\n7 9 9 0\n$EndNodes\n";
+
+std::string elements(const std::string &lines, int n) {
+    return two + "$Elements\n" + std::to_string(n) + "\n" + lines + "$EndElements\n";
+}
+
+TEST(Msh, ReadsVersion2) {
+    const Arrays mesh = parse_msh(elements("1 15 2 0 1 10\n2 1 2 5 1 10 3\n3 1 2 0 8 3 5\n4 1 0 5 6\n"
+                                           "5 3 2 0 1 10 3 900 4\n6 3 4 17 1 1 1 3 5 6 900\n",
+                                           6));
+    EXPECT_EQ(mesh.dim, 2);
+    EXPECT_EQ(mesh.points.size(), 21u);
+    EXPECT_EQ(mesh.faces, (std::vector<std::int32_t>{0, 1, 2, 3, 1, 4, 5, 2}));
+    EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{0, 17}));
+    ASSERT_EQ(mesh.marked_edges.size(), 2u); // the third has no tag at all
+    EXPECT_EQ(mesh.marked_edges[0].vertices, (std::array<std::int32_t, 2>{0, 1}));
+    EXPECT_EQ(mesh.marked_edges[0].marker, 5);
+    EXPECT_EQ(mesh.marked_edges[1].vertices, (std::array<std::int32_t, 2>{1, 4}));
+    EXPECT_EQ(mesh.marked_edges[1].marker, 8); // the elementary tag
+}
+
+// A square of two faces in blocks, with physical tags in $Entities.
+const std::string four_head = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+const std::string four_entities =
+    "$Entities\n1 2 2 0\n1 0 0 0 0\n1 0 0 0 1 0 0 1 5 2 1 -1\n2 0 0 0 1 0 0 0 2 1 -1\n"
+    "1 0 0 0 1 1 0 2 -9 3 0\n2 0 0 0 1 1 0 0 0\n$EndEntities\n";
+const std::string four_nodes =
+    "$Nodes\n2 6 1 60\n1 1 1 2\n10\n3\n0 0 0 0.25\n1 0 0 0.75\n2 1 0 4\n60\n4\n5\n6\n"
+    "1 1 0\n0 1 0\n2 0 0\n2 1 0\n$EndNodes\n";
+const std::string four_elements =
+    "$Elements\n4 4 1 4\n1 1 1 1\n1 10 3\n1 2 1 1\n2 3 5\n2 1 3 1\n3 10 3 60 4\n"
+    "2 2 3 1\n4 3 5 6 60\n$EndElements\n";
+
+TEST(Msh, ReadsVersion4) {
+    const Arrays mesh = parse_msh(four_head + four_entities + four_nodes + four_elements);
+    EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0}));
+    EXPECT_EQ(mesh.faces, (std::vector<std::int32_t>{0, 1, 2, 3, 1, 4, 5, 2}));
+    EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{9, 0}));
+    ASSERT_EQ(mesh.marked_edges.size(), 2u);
+    EXPECT_EQ(mesh.marked_edges[0].marker, 5);
+    EXPECT_EQ(mesh.marked_edges[1].marker, 2); // the curve's own tag
+    EXPECT_TRUE(parse_msh(four_head + four_nodes + four_elements).face_marker.empty());
+}
+
+TEST(Msh, MarkersRoundTrip) {
+    Arrays mesh = samples::grid(3, 3);
+    mesh.face_marker = {1, 2, 0, -4, 5, 6, 7, 8, 2147483647};
+    mesh.marked_edges = {{{0, 1}, 3}, {{1, 2}, -2147483647 - 1}, {{2, 3}, 3}};
+    const Arrays back = parse_msh(print_msh(mesh));
+    EXPECT_TRUE(samples::same_bits(back.points, mesh.points));
+    EXPECT_EQ(back.faces, mesh.faces);
+    EXPECT_EQ(back.face_marker, mesh.face_marker);
+    ASSERT_EQ(back.marked_edges.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(back.marked_edges[i].vertices, mesh.marked_edges[i].vertices);
+        EXPECT_EQ(back.marked_edges[i].marker, mesh.marked_edges[i].marker);
+    }
+    mesh.face_marker.clear();
+    EXPECT_TRUE(parse_msh(print_msh(mesh)).face_marker.empty());
+}
+
+TEST(Msh, RejectsOtherElements) {
+    for (const char *line :
+         {"2 2 2 0 1 10 3 900\n", "2 10 2 0 1 1 2 3 4 5 6 7 8 9\n", "2 5 0 1 2 3 4 5 6 7 8\n"}) {
+        const Failure failure =
+            failure_of([&] { parse_msh(elements("1 3 2 0 1 10 3 900 4\n" + std::string(line), 2)); });
+        EXPECT_EQ(failure.fault, Fault::not_quad) << line;
+        EXPECT_EQ(failure.ids, std::vector<std::int64_t>{1}) << line;
+    }
+}
+
+TEST(Msh, RejectsNodesThatAreNotThere) {
+    const Failure failure = failure_of([] { parse_msh(elements("1 3 2 0 1 10 3 900 1\n", 1)); });
+    EXPECT_EQ(failure.fault, Fault::range);
+    EXPECT_EQ(failure.entity, Entity::face);
+    EXPECT_EQ(failure_of([] { parse_msh(elements("1 1 2 0 1 10 0\n", 1)); }).fault, Fault::range);
+}
+
+TEST(Msh, RejectsWhatIsMalformed) {
+    for (const std::string &text :
+         {std::string(), std::string("$Nodes\n0\n$EndNodes\n"), four_head,
+          elements("1 3 2 0 1 10 3 900\n", 1), elements("1 3 2 0 1 10 3 900 4 5\n", 1),
+          elements("1 3 2 0 1 10 3 900 4\n", 2), elements("1 3 2 0 1 10 3 900 4\n", 0), elements("", -1),
+          elements("1 3 100000000 0 1 10 3 900 4\n", 1), two + two.substr(two.find("$Nodes")),
+          two + "$Elements\n100000000000\n1 3\n", two + "$Comment\nno end\n", two + "stray\n",
+          four_head + "$Nodes\n1 100000000000 1 1\n2 1 0 1\n1\n0 0 0\n$EndNodes\n",
+          four_head + "$Nodes\n1 2 1 1\n2 1 0 1\n1\n0 0 0\n$EndNodes\n",
+          std::string("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n1 1 1 1\n$EndNodes\n")})
+        EXPECT_EQ(failure_of([&] { parse_msh(text); }).fault, Fault::format) << text;
+    for (const char *text : {"$MeshFormat\n2.2 1 8\n\1\n", "$MeshFormat\n4 0 8\n$EndMeshFormat\n",
+                             "$NOD\n0\n$ENDNOD\n", "$MeshFormat\n5.0 0 8\n$EndMeshFormat\n"})
+        EXPECT_EQ(failure_of([&] { parse_msh(text); }).fault, Fault::unsupported) << text;
+}
+
+} // namespace
+} // namespace alphamst::io

@@ -1,0 +1,80 @@
+#include "io/svg.h"
+
+#include <gtest/gtest.h>
+
+#include "samples.h"
+
+namespace alphamst::io {
+namespace {
+
+std::size_t count(const std::string &text, const std::string &part) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++n;
+    return n;
+}
+
+TEST(Svg, FindsSingularities) {
+    EXPECT_EQ(picture(samples::cube()).singular3.size(), 8u);
+    const Arrays grid = samples::grid(5, 2);
+    const Picture regular = picture(grid);
+    EXPECT_TRUE(regular.singular3.empty() && regular.singular5.empty() && regular.singular_other.empty());
+    // n kites around vertex 0.
+    for (int n : {2, 3, 5, 6}) {
+        Arrays star;
+        star.points.resize(static_cast<std::size_t>(2 * n + 1) * 3);
+        for (int i = 0; i < n; ++i)
+            star.faces.insert(star.faces.end(), {0, 1 + 2 * i, 2 + 2 * i, 1 + (2 * i + 2) % (2 * n)});
+        const Picture found = picture(star);
+        const std::vector<std::int32_t> centre{0};
+        EXPECT_EQ(found.singular3 == centre, n == 3);
+        EXPECT_EQ(found.singular5 == centre, n == 5);
+        EXPECT_EQ(found.singular_other == centre, n == 2 || n == 6);
+        EXPECT_EQ(found.singular3.size() + found.singular5.size() + found.singular_other.size(), 1u);
+    }
+}
+
+TEST(Svg, DrawsTheMesh) {
+    const samples::Folder folder;
+    Arrays mesh;
+    mesh.dim = 2;
+    mesh.points = {0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0};
+    mesh.faces = {0, 1, 2, 3};
+    Picture drawn{&mesh, {{0, 1, 2, 3}}, {1}, {}, {2, 3}};
+    write_svg(folder / "m.svg", drawn);
+    const std::string text = samples::contents(folder / "m.svg");
+    // y points up: vertex 0 is at the bottom left, 5000 units below the top.
+    EXPECT_NE(text.find("d=\"m0 5000l10000 0 0-5000-10000 0z\""), std::string::npos) << text;
+    EXPECT_EQ(count(text, "<path"), 2u);
+    EXPECT_EQ(count(text, "<circle"), 3u + 3u); // vertices and legend
+    EXPECT_NE(text.find("valence 3: 1<"), std::string::npos);
+    EXPECT_NE(text.find("valence 5: 0<"), std::string::npos);
+    EXPECT_NE(text.find("other: 2<"), std::string::npos);
+    EXPECT_NE(text.find("4 vertices, 1 faces"), std::string::npos);
+    EXPECT_NE(text.find("viewBox=\"-250 -250 10500 6000\""), std::string::npos);
+}
+
+TEST(Svg, DrawsAnyMesh) {
+    const samples::Folder folder;
+    Arrays huge = samples::cube();
+    for (double &x : huge.points)
+        x *= 1e308;
+    Arrays point;
+    point.points = {1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3};
+    point.faces = {0, 1, 2, 3};
+    for (const Arrays &mesh : {Arrays(), huge, point, samples::grid(3, 3)}) {
+        write(folder / "a.svg", mesh);
+        write(folder / "b.svg", mesh);
+        const std::string text = samples::contents(folder / "a.svg");
+        EXPECT_EQ(text, samples::contents(folder / "b.svg"));
+        EXPECT_EQ(text.find("nan"), std::string::npos);
+        EXPECT_EQ(text.substr(text.size() - 7), "</svg>\n");
+    }
+    write(folder / "cube.svg", huge); // the same picture as of the unit cube
+    write(folder / "unit.svg", samples::cube());
+    EXPECT_EQ(count(samples::contents(folder / "cube.svg"), "z"),
+              count(samples::contents(folder / "unit.svg"), "z"));
+}
+
+} // namespace
+} // namespace alphamst::io

@@ -1,0 +1,240 @@
+#include "patch/patches.h"
+
+#include "grid.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <set>
+
+namespace alphamst::patch {
+namespace {
+
+using testing::block;
+using testing::grid;
+using testing::without;
+
+const Taken none;
+
+std::vector<char> mark(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
+    std::vector<char> taken(static_cast<std::size_t>(mesh.n_faces()), 0);
+    for (const int face : faces)
+        taken[static_cast<std::size_t>(face)] = 1;
+    return taken;
+}
+
+void set_feature(mesh::QuadMesh &mesh, int v, int w) {
+    mesh.edge_flags[static_cast<std::size_t>(mesh.find_edge(v, w))] = mesh::feature;
+}
+
+TEST(Rings, LayersAroundAVertex) {
+    const mesh::QuadMesh mesh = grid(6, 6);
+    const int centre = 3 * 7 + 3;
+    EXPECT_TRUE(rings(mesh, centre, 0, none).empty());
+    EXPECT_EQ(rings(mesh, centre, 1, none), block(6, 2, 2, 4, 4));
+    EXPECT_EQ(rings(mesh, centre, 2, none), block(6, 1, 1, 5, 5));
+    EXPECT_EQ(rings(mesh, 0, 2, none), block(6, 0, 0, 2, 2));
+    EXPECT_EQ(rings(mesh, centre, 9, none).size(), 36U);
+    EXPECT_EQ(rings(mesh, 0, 6, mark(mesh, block(6, 3, 0, 4, 6))), block(6, 0, 0, 3, 6));
+}
+
+TEST(Ball, StaysConnected) {
+    const mesh::QuadMesh mesh = grid(6, 6);
+    EXPECT_EQ(ball(mesh, {3, 3, 0}, 0.8, none), block(6, 2, 2, 4, 4));
+    EXPECT_TRUE(ball(mesh, {3, 3, 5}, 0.8, none).empty());
+    // A taken column splits what is within the radius; the side of the nearest face stays.
+    EXPECT_EQ(ball(mesh, {2.4, 2.5, 0}, 10, mark(mesh, block(6, 3, 0, 4, 6))), block(6, 0, 0, 3, 6));
+}
+
+TEST(Box, LargestPart) {
+    const mesh::QuadMesh mesh = grid(6, 6);
+    EXPECT_EQ(box(mesh, {1, 1, -1}, {3, 4, 1}, none), block(6, 1, 1, 3, 4));
+    EXPECT_EQ(box(mesh, {0, 0, -1}, {6, 6, 1}, mark(mesh, block(6, 2, 0, 3, 6))), block(6, 3, 0, 6, 6));
+    EXPECT_TRUE(box(mesh, {7, 7, -1}, {9, 9, 1}, none).empty());
+}
+
+TEST(Repair, KeepsADisk) {
+    const mesh::QuadMesh mesh = grid(5, 5);
+    EXPECT_EQ(repair(mesh, block(5, 1, 1, 3, 4), none), block(5, 1, 1, 3, 4));
+    EXPECT_EQ(repair(mesh, {7}, none), (std::vector<int>{7}));
+    EXPECT_TRUE(repair(mesh, {}, none).empty());
+    EXPECT_TRUE(repair(mesh, {7}, mark(mesh, {7})).empty());
+}
+
+TEST(Repair, KeepsTheLargestPartTheFirstOfEquals) {
+    const mesh::QuadMesh mesh = grid(5, 5);
+    EXPECT_EQ(repair(mesh, {0, 12, 13, 24}, none), (std::vector<int>{12, 13}));
+    EXPECT_EQ(repair(mesh, {23, 24, 0, 1}, none), (std::vector<int>{0, 1}));
+    EXPECT_EQ(repair(mesh, {6, 12}, none), (std::vector<int>{6}));
+}
+
+TEST(Repair, FillsHolesThatAreFree) {
+    const mesh::QuadMesh mesh = grid(7, 7);
+    const std::vector<int> hole = {24}, ring = without(block(7, 2, 2, 5, 5), hole);
+    EXPECT_EQ(repair(mesh, ring, none), block(7, 2, 2, 5, 5));
+    const std::vector<int> cut = repair(mesh, ring, mark(mesh, hole));
+    EXPECT_EQ(defects(mesh, cut), 0);
+    EXPECT_EQ(cut.size(), 7U);
+    // Two holes, of which one is taken.
+    const std::vector<int> two = without(block(7, 1, 1, 6, 4), {16, 18});
+    const std::vector<int> repaired = repair(mesh, two, mark(mesh, {16}));
+    EXPECT_EQ(defects(mesh, repaired), 0);
+    EXPECT_NE(std::find(repaired.begin(), repaired.end(), 18), repaired.end());
+}
+
+// A ring that touches itself at a corner holds a free hole; with the hole taken, one of
+// the two faces at the corner must go.
+TEST(Repair, OpensPinches) {
+    const mesh::QuadMesh mesh = grid(5, 5);
+    const std::vector<int> pinched_set = without(block(5, 1, 1, 4, 4), {12, 18});
+    ASSERT_EQ(defects(mesh, pinched_set), static_cast<std::int32_t>(pinched));
+    EXPECT_EQ(repair(mesh, pinched_set, none), without(block(5, 1, 1, 4, 4), {18}));
+    const std::vector<int> open = repair(mesh, pinched_set, mark(mesh, {12}));
+    EXPECT_EQ(defects(mesh, open), 0);
+    EXPECT_EQ(open.size(), 6U);
+}
+
+// The hole of a domain cannot be filled.
+TEST(Repair, CutsAnAnnulusOpen) {
+    const mesh::QuadMesh whole = grid(6, 6);
+    std::vector<double> points;
+    std::vector<std::int32_t> faces;
+    for (int v = 0; v < whole.n_vertices(); ++v)
+        points.insert(points.end(), {whole.point(v)[0], whole.point(v)[1], 0.0});
+    for (const int face : without(block(6, 0, 0, 6, 6), block(6, 2, 2, 4, 4)))
+        for (const int v : whole.corners(face))
+            faces.push_back(v);
+    const mesh::QuadMesh mesh = mesh::QuadMesh::build(2, points, faces);
+    std::vector<int> all(static_cast<std::size_t>(mesh.n_faces()));
+    std::iota(all.begin(), all.end(), 0);
+    ASSERT_EQ(defects(mesh, all), static_cast<std::int32_t>(not_disk));
+    const std::vector<int> disk = repair(mesh, all, none);
+    EXPECT_EQ(defects(mesh, disk), 0);
+    EXPECT_EQ(disk.size(), 30U); // 32 less one row across
+}
+
+TEST(Repair, ClosedSurfaceKeepsItsOutside) {
+    const mesh::QuadMesh cube = testing::cube();
+    EXPECT_EQ(defects(cube, repair(cube, {0, 1, 2, 3, 4, 5}, none)), 0);
+    EXPECT_EQ(repair(cube, {0, 1, 2, 3, 4, 5}, none).size(), 5U);
+    EXPECT_EQ(repair(cube, {0, 2, 4}, none), (std::vector<int>{0, 2, 4}));
+    EXPECT_EQ(defects(cube, repair(cube, {2, 3, 4, 5}, none)), 0); // a belt
+}
+
+TEST(Repair, FeaturesSeparate) {
+    mesh::QuadMesh mesh = grid(4, 4);
+    for (int j = 0; j < 4; ++j)
+        set_feature(mesh, 5 * j + 1, 5 * (j + 1) + 1);
+    EXPECT_EQ(repair(mesh, block(4, 0, 0, 4, 4), none), block(4, 1, 0, 4, 4));
+
+    mesh::QuadMesh regions = grid(4, 4);
+    regions.face_marker.assign(16, 1);
+    for (const int face : block(4, 0, 0, 1, 4))
+        regions.face_marker[static_cast<std::size_t>(face)] = 2;
+    EXPECT_EQ(repair(regions, block(4, 0, 0, 4, 4), none), block(4, 1, 0, 4, 4));
+}
+
+TEST(Repair, CutsAlongAFeatureThatEndsInside) {
+    mesh::QuadMesh mesh = grid(6, 6);
+    set_feature(mesh, 16, 17);
+    set_feature(mesh, 17, 18);
+    const std::vector<int> all = block(6, 0, 0, 6, 6), disk = repair(mesh, all, none);
+    EXPECT_EQ(defects(mesh, disk), 0);
+    EXPECT_GE(disk.size(), 28U);
+
+    mesh::QuadMesh held = grid(6, 6);
+    held.vertex_flags[24] = mesh::corner;
+    EXPECT_EQ(defects(held, repair(held, all, none)), 0);
+    EXPECT_GE(repair(held, all, none).size(), 32U);
+}
+
+TEST(Repair, RandomSetsBecomeDisks) {
+    std::mt19937 random(5);
+    mesh::QuadMesh mesh = grid(12, 12);
+    const auto chance = [&](auto percent) { return random() % 100 < percent; };
+    for (int n = 0; n < 600; ++n) {
+        const auto density = 20 + random() % 80, occupied = n % 3 ? random() % 30 : 0U;
+        const auto features = n % 2 ? random() % 6 : 0U;
+        std::vector<int> faces;
+        std::vector<char> taken(144, 0);
+        for (int f = 0; f < 144; ++f) {
+            if (chance(density))
+                faces.push_back(f);
+            taken[static_cast<std::size_t>(f)] = chance(occupied);
+        }
+        for (auto &flags : mesh.edge_flags)
+            flags = chance(features) ? mesh::feature : 0;
+        for (auto &flags : mesh.vertex_flags)
+            flags = chance(features / 2) ? mesh::fixed : 0;
+        const std::vector<int> disk = repair(mesh, faces, taken);
+        if (disk.empty()) {
+            for (const int f : faces)
+                EXPECT_TRUE(taken[static_cast<std::size_t>(f)]);
+            continue;
+        }
+        ASSERT_EQ(defects(mesh, disk), 0) << "set " << n;
+        EXPECT_TRUE(std::is_sorted(disk.begin(), disk.end()));
+        for (const int f : disk)
+            EXPECT_FALSE(taken[static_cast<std::size_t>(f)]);
+        EXPECT_EQ(make_window(mesh, disk).loop.size() % 2, 0U);
+        EXPECT_EQ(repair(mesh, disk, taken), disk);
+    }
+}
+
+using Decompose = std::vector<std::vector<int>> (*)(const mesh::QuadMesh &, double, std::uint64_t, Taken);
+
+class Decomposition : public ::testing::TestWithParam<Decompose> {};
+
+TEST_P(Decomposition, DisksOfAboutTheSize) {
+    const mesh::QuadMesh mesh = grid(40, 40);
+    const auto patches = GetParam()(mesh, 64, 3, none);
+    EXPECT_GE(patches.size(), 20U);
+    EXPECT_LE(patches.size(), 30U);
+    std::set<int> seen;
+    std::size_t total = 0;
+    for (const auto &patch : patches) {
+        EXPECT_EQ(defects(mesh, patch), 0);
+        EXPECT_GE(patch.size(), 16U);
+        EXPECT_LE(patch.size(), 192U);
+        EXPECT_GT(convexity(mesh, make_window(mesh, patch)), 0.6);
+        seen.insert(patch.begin(), patch.end());
+        total += patch.size();
+    }
+    EXPECT_EQ(seen.size(), total);
+    EXPECT_GE(total, 1500U);
+}
+
+TEST_P(Decomposition, SameSeedSamePatches) {
+    const mesh::QuadMesh mesh = grid(25, 25);
+    EXPECT_EQ(GetParam()(mesh, 40, 9, none), GetParam()(mesh, 40, 9, none));
+}
+
+TEST_P(Decomposition, RespectsTakenAndFeatures) {
+    mesh::QuadMesh mesh = grid(20, 20);
+    for (int j = 0; j < 20; ++j)
+        set_feature(mesh, 21 * j + 7, 21 * (j + 1) + 7);
+    const std::vector<char> taken = mark(mesh, block(20, 12, 5, 15, 9));
+    for (const double size : {1.0, 2.5, 12.0, 50.0, 1000.0})
+        for (const auto &patch : GetParam()(mesh, size, 1, taken)) {
+            EXPECT_EQ(defects(mesh, patch), 0);
+            const bool left_side = patch.front() % 20 < 7;
+            for (const int face : patch) {
+                EXPECT_EQ(face % 20 < 7, left_side);
+                EXPECT_FALSE(taken[static_cast<std::size_t>(face)]);
+            }
+        }
+}
+
+TEST_P(Decomposition, SilentOnSmallParts) {
+    ::testing::internal::CaptureStdout();
+    const mesh::QuadMesh mesh = grid(30, 30);
+    for (const double size : {0.0, 1.0, 3.0, 8.0, 9.0})
+        EXPECT_FALSE(GetParam()(mesh, size, 1, none).empty());
+    EXPECT_TRUE(GetParam()(mesh, 10, 1, std::vector<char>(900, 1)).empty());
+    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Decomposition, ::testing::Values(&clusters, &partition));
+
+} // namespace
+} // namespace alphamst::patch
