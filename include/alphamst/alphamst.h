@@ -15,11 +15,13 @@
  *             be destroyed in any order and from any thread: a child keeps what
  *             it needs of its parent alive. The library never keeps a pointer to
  *             caller memory after it returns, callbacks excepted.
+ *  NULL       gives AMST_ERR_NULL, except where it is said to be allowed, for
+ *             destroy calls, and for an array of no elements.
  *  Arrays     Inputs are read in the call. Outputs follow one pattern:
  *             (T *out, int64_t capacity, int64_t *needed). `needed` receives the
- *             number of T the answer has; out = NULL with capacity = 0 only asks.
- *             Where a call fills several arrays both count rows. A capacity that
- *             is too small gives AMST_ERR_BUFFER_TOO_SMALL.
+ *             number of T the answer has and may not be NULL; out = NULL with
+ *             capacity = 0 only asks. A capacity that is too small gives
+ *             AMST_ERR_BUFFER_TOO_SMALL and writes nothing but `needed`.
  *             Rows are packed, last index fastest in C: points[n][dim],
  *             faces[n][4]; in Fortran and Julia points(dim,n), faces(4,n).
  *  Ids        Vertices, edges, faces and patches are numbered without gaps from
@@ -27,9 +29,11 @@
  *             valid for one mesh revision. Faces list corners counter-clockwise.
  *  Units      Lengths are in the unit of the given coordinates, angles in degrees.
  *  Threads    Calls that take only const handles may run at the same time. A call
- *             that takes a non-const handle needs it to itself; one context serves
- *             one thread at a time. Different contexts share nothing. Callbacks run
- *             on the calling thread only.
+ *             that takes a non-const handle needs it to itself, and its mesh if it
+ *             is a patch set; one context serves one thread at a time. Different
+ *             contexts share nothing. Callbacks run on the calling thread only; they
+ *             may ask and may destroy, but a call that would change something of the
+ *             same context gives AMST_ERR_STATE.
  *  Same again Equal input, options and seed give equal output for any thread count.
  *  C++        No exception leaves the library; none may enter it from a callback.
  */
@@ -62,7 +66,7 @@ extern "C" {
 
 /* ------------------------------------------------------------------ types */
 
-typedef int32_t amst_status; /* a amst_status_code */
+typedef int32_t amst_status; /* an amst_status_code */
 typedef int32_t amst_id;     /* number of a vertex, edge, face or patch */
 
 typedef struct amst_context amst_context; /* threads, callbacks, index base */
@@ -74,27 +78,27 @@ typedef struct amst_report amst_report;   /* what one operation did */
 /* Enumerations travel as int32_t. The negative member keeps the type signed on
  * every compiler, the largest one keeps it 32 bits wide. */
 enum amst_status_code {
-    AMST_ERR_INTERNAL = -99,        /* a bug in the library */
-    AMST_ERR_STATE = -16,           /* call not allowed now, e.g. from a callback */
+    AMST_ERR_INTERNAL = -99, /* a bug in the library */
+    AMST_ERR_STATE = -16,    /* call not allowed now, e.g. from a callback */
     AMST_ERR_NO_MEMORY = -15,
-    AMST_ERR_CANCELLED = -14,       /* cancelled; mesh as before the call */
-    AMST_ERR_UNSUPPORTED = -13,     /* file variant, or a curved patch: not in this version */
-    AMST_ERR_FORMAT = -12,          /* file is malformed */
-    AMST_ERR_IO = -11,              /* file cannot be opened, read or written */
-    AMST_ERR_NOT_FOUND = -10,       /* no such key or revision */
-    AMST_ERR_STALE = -9,            /* patches or report of an older revision */
-    AMST_ERR_PATCH = -8,            /* patch is not a usable disk, see defects */
-    AMST_ERR_NO_FILLING = -17,      /* no filling with the wanted faces was found; patch as before */
-    AMST_ERR_GEOMETRY = -18,        /* no filling could be given a valid shape; patch as before */
-    AMST_ERR_NOT_MANIFOLD = -7,     /* edge with 3+ faces, or unorientable */
-    AMST_ERR_NOT_QUAD = -6,         /* face without 4 distinct corners */
-    AMST_ERR_NOT_FINITE = -5,       /* NaN or infinity in the input */
+    AMST_ERR_CANCELLED = -14,   /* cancelled; mesh as before the call */
+    AMST_ERR_UNSUPPORTED = -13, /* file variant, or a curved patch: not in this version */
+    AMST_ERR_FORMAT = -12,      /* file is malformed */
+    AMST_ERR_IO = -11,          /* file cannot be opened, read or written */
+    AMST_ERR_NOT_FOUND = -10,   /* no such key or revision */
+    AMST_ERR_STALE = -9,        /* patches or report of an older revision */
+    AMST_ERR_PATCH = -8,        /* patch is not a usable disk, see defects */
+    AMST_ERR_NO_FILLING = -17,  /* no filling with the wanted faces was found; patch as before */
+    AMST_ERR_GEOMETRY = -18,    /* no filling could be given a valid shape; patch as before */
+    AMST_ERR_NOT_MANIFOLD = -7, /* edge with 3+ faces, or unorientable */
+    AMST_ERR_NOT_QUAD = -6,     /* face without 4 distinct corners */
+    AMST_ERR_NOT_FINITE = -5,   /* NaN or infinity in the input */
     AMST_ERR_BUFFER_TOO_SMALL = -4,
-    AMST_ERR_RANGE = -3,            /* id, count or value out of range */
-    AMST_ERR_ARGUMENT = -2,         /* other unacceptable argument */
-    AMST_ERR_NULL = -1,             /* required pointer is NULL */
+    AMST_ERR_RANGE = -3,    /* id, count or value out of range */
+    AMST_ERR_ARGUMENT = -2, /* other unacceptable argument */
+    AMST_ERR_NULL = -1,     /* required pointer is NULL */
     AMST_OK = 0,
-    AMST_PARTIAL = 1,               /* done, but some patch was left or missed alpha */
+    AMST_PARTIAL = 1, /* done, but some patch was left or missed alpha */
     AMST_STATUS_MAX = 0x7fffffff
 };
 
@@ -120,13 +124,13 @@ enum amst_defect {
     AMST_DEFECT_INVALID = -1,
     AMST_DEFECT_EMPTY = 1,
     AMST_DEFECT_NOT_CONNECTED = 2,
-    AMST_DEFECT_NOT_DISK = 4,        /* Euler characteristic is not 1 */
-    AMST_DEFECT_PINCHED = 8,         /* boundary touches itself */
-    AMST_DEFECT_OVERLAP = 16,        /* shares a face with an earlier patch */
-    AMST_DEFECT_CROSSES_FEATURE = 32,/* flagged entity or region border in the interior */
-    AMST_DEFECT_ODD_BOUNDARY = 64,   /* odd number of boundary edges */
-    AMST_DEFECT_CORNERS = 128,       /* given corners not on boundary, or not 3..6 */
-    AMST_DEFECT_NOT_CONVEX = 256,    /* remark only: convexity below the option */
+    AMST_DEFECT_NOT_DISK = 4,         /* Euler characteristic is not 1 */
+    AMST_DEFECT_PINCHED = 8,          /* boundary touches itself */
+    AMST_DEFECT_OVERLAP = 16,         /* shares a face with an earlier patch */
+    AMST_DEFECT_CROSSES_FEATURE = 32, /* flagged entity or region border in the interior */
+    AMST_DEFECT_ODD_BOUNDARY = 64,    /* odd number of boundary edges */
+    AMST_DEFECT_CORNERS = 128,        /* given corners not on the boundary, or not in its order */
+    AMST_DEFECT_NOT_CONVEX = 256,     /* remark only: convexity below the option */
     AMST_DEFECT_MAX = 0x7fffffff
 };
 
@@ -166,14 +170,14 @@ enum amst_metric {
 /* Keys of amst_options_set_int (< 1000) and _set_real (>= 1000). */
 enum amst_option {
     AMST_OPTION_INVALID = -1,
-    AMST_OPT_SEED = 0,           /* int, 0: seed of every random choice */
-    AMST_OPT_SMOOTH_STEPS = 1,   /* int, 20: sweeps of shape optimisation, 0..1000 */
-    AMST_OPT_REPAIR_PATCHES = 2, /* int 0/1, 1: fill holes, cut pinches of new patches */
-    AMST_OPT_CANDIDATES = 3,     /* int, 16: fillings to try in a patch before it is left, 1..1000 */
-    AMST_OPT_NODE_LIMIT = 4,     /* int, 20000: effort of one exact search, in quads laid, 0..10^9 */
-    AMST_OPT_MIN_QUALITY = 1000, /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
+    AMST_OPT_SEED = 0,             /* int, 0: seed of every random choice */
+    AMST_OPT_SMOOTH_STEPS = 1,     /* int, 20: sweeps of shape optimisation, 0..1000 */
+    AMST_OPT_REPAIR_PATCHES = 2,   /* int 0/1, 1: fill holes, cut pinches of new patches */
+    AMST_OPT_CANDIDATES = 3,       /* int, 16: fillings to try in a patch before it is left, 1..1000 */
+    AMST_OPT_NODE_LIMIT = 4,       /* int, 20000: effort of one exact search, in quads laid, 0..10^9 */
+    AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
-    AMST_OPT_PATCH_FACES = 1002, /* real, 100: aim of automatic decomposition, >= 1 */
+    AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
     AMST_OPTION_MAX = 0x7fffffff
 };
 
@@ -182,16 +186,16 @@ enum amst_option {
  * boundary included; those of AMST_ALL are the ones of the whole mesh. */
 enum amst_result {
     AMST_RESULT_INVALID = -1,
-    AMST_RESULT_STATUS = 0,          /* amst_status of the patch; of AMST_ALL: of the call */
+    AMST_RESULT_STATUS = 0, /* amst_status of the patch; of AMST_ALL: of the call */
     AMST_RESULT_FACES_BEFORE = 1,
     AMST_RESULT_FACES_AFTER = 2,
     AMST_RESULT_FACES_WANTED = 3,    /* alpha * before, rounded */
     AMST_RESULT_SINGULAR_BEFORE = 4, /* interior vertices of valence != 4 */
     AMST_RESULT_SINGULAR_AFTER = 5,
-    AMST_RESULT_SINGULAR_BOUND = 6,  /* least number that any filling of the boundary has */
-    AMST_RESULT_CANDIDATE = 7,       /* 0: filling as predicted; n: geometry forced the n-th later one */
-    AMST_RESULT_ALPHA = 1000,        /* after / before */
-    AMST_RESULT_QUALITY_BEFORE = 1001,/* smallest scaled Jacobian */
+    AMST_RESULT_SINGULAR_BOUND = 6,    /* least number that any filling of the boundary has */
+    AMST_RESULT_CANDIDATE = 7,         /* 0: filling as predicted; n: geometry forced the n-th later one */
+    AMST_RESULT_ALPHA = 1000,          /* after / before */
+    AMST_RESULT_QUALITY_BEFORE = 1001, /* smallest scaled Jacobian */
     AMST_RESULT_QUALITY_AFTER = 1002,
     AMST_RESULT_SECONDS = 1003,
     AMST_RESULT_MAX = 0x7fffffff
@@ -244,16 +248,20 @@ AMST_API amst_status amst_last_error_where(int32_t *entity, amst_id *id, amst_id
 
 /* ------------------------------------------------------------------ context */
 
-/* index_base 0 or 1: numbering of every id that crosses this interface. */
+/* index_base 0 or 1: numbering of every id that crosses this interface.
+ * Errors: ARGUMENT (index_base). */
 AMST_API amst_status amst_context_create(int32_t index_base, amst_context **out);
 AMST_API void amst_context_destroy(amst_context *ctx);
-/* 0 all cores, n exactly n; 1 at creation. */
+/* 0 all cores, n exactly n; 1 at creation. Errors: RANGE (n < 0). */
 AMST_API amst_status amst_context_set_threads(amst_context *ctx, int32_t n);
-/* NULL fn switches off, which is the state at creation: nothing is printed. */
+/* Messages up to a level of amst_log_level, and the progress of operations, go to
+ * the caller's functions, which get `user` back. NULL fn switches off, which is the
+ * state at creation: nothing is ever printed. Errors: ARGUMENT (level). */
 AMST_API amst_status amst_context_set_log(amst_context *ctx, int32_t level, amst_log_fn fn, void *user);
 AMST_API amst_status amst_context_set_progress(amst_context *ctx, amst_progress_fn fn, void *user);
 /* The next two may be called from any thread while an operation runs. A raised
- * flag stays up, and stops operations, until it is lowered. */
+ * flag (not 0) stays up, and stops operations with AMST_ERR_CANCELLED, until it is
+ * lowered (0). fraction: 0..1, of the operation under way or else of the last one. */
 AMST_API amst_status amst_context_set_cancel(amst_context *ctx, int32_t flag);
 AMST_API amst_status amst_context_get_progress(const amst_context *ctx, double *fraction);
 
@@ -262,7 +270,8 @@ AMST_API amst_status amst_context_get_progress(const amst_context *ctx, double *
 
 AMST_API amst_status amst_options_create(amst_options **out);
 AMST_API void amst_options_destroy(amst_options *options);
-/* AMST_ERR_NOT_FOUND for a key of the other type or unknown to this version. */
+/* Errors: NOT_FOUND (a key of the other type or unknown to this version), RANGE
+ * (value, see amst_option), NOT_FINITE. */
 AMST_API amst_status amst_options_set_int(amst_options *options, int32_t key, int64_t value);
 AMST_API amst_status amst_options_set_real(amst_options *options, int32_t key, double value);
 AMST_API amst_status amst_options_get_int(const amst_options *options, int32_t key, int64_t *value);
@@ -272,75 +281,97 @@ AMST_API amst_status amst_options_get_real(const amst_options *options, int32_t 
 
 /* Mesh from arrays. coords: component c of vertex v is
  * coords[v * vertex_stride + c * component_stride]; faces likewise with
- * face_stride and corner_stride, all in elements; both strides 0 means packed. dim is
- * 2 or 3. corners_per_face is 4. Unreferenced vertices stay.
- * Errors: NOT_FINITE, RANGE (corner id, count), NOT_QUAD, NOT_MANIFOLD. */
-AMST_API amst_status amst_mesh_create(amst_context *ctx, int32_t dim,
-                                   const double *coords, int64_t n_vertices,
-                                   int64_t vertex_stride, int64_t component_stride,
-                                   const int32_t *faces, int64_t n_faces,
-                                   int64_t face_stride, int64_t corner_stride,
-                                   int32_t corners_per_face,
-                                   const amst_options *options, amst_mesh **out);
+ * face_stride and corner_stride, all in elements and above 0; both strides 0 means
+ * packed. dim is 2 or 3. corners_per_face is 4. At least one face, at most 2^28 - 1.
+ * Unreferenced vertices stay.
+ * Errors: ARGUMENT (dim, stride, corners_per_face), RANGE (corner id, count),
+ * NOT_FINITE, NOT_QUAD, NOT_MANIFOLD. */
+AMST_API amst_status amst_mesh_create(amst_context *ctx, int32_t dim, const double *coords,
+                                      int64_t n_vertices, int64_t vertex_stride, int64_t component_stride,
+                                      const int32_t *faces, int64_t n_faces, int64_t face_stride,
+                                      int64_t corner_stride, int32_t corners_per_face,
+                                      const amst_options *options, amst_mesh **out);
 /* The same with 64-bit corner ids; they must still fit amst_id. */
-AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim,
-                                       const double *coords, int64_t n_vertices,
-                                       int64_t vertex_stride, int64_t component_stride,
-                                       const int64_t *faces, int64_t n_faces,
-                                       int64_t face_stride, int64_t corner_stride,
-                                       int32_t corners_per_face,
-                                       const amst_options *options, amst_mesh **out);
+AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const double *coords,
+                                          int64_t n_vertices, int64_t vertex_stride, int64_t component_stride,
+                                          const int64_t *faces, int64_t n_faces, int64_t face_stride,
+                                          int64_t corner_stride, int32_t corners_per_face,
+                                          const amst_options *options, amst_mesh **out);
 /* Format by extension: .off .obj .ply .msh (Gmsh 2.2 and 4.1 ASCII) .vtk (legacy);
  * path is UTF-8. dim is 2 when every z is 0. Region numbers of faces and boundary
  * numbers of edges in .msh and .vtk files are kept and written again; borders of
  * regions and numbered edges act as FEATURE.
- * Errors: IO, FORMAT, UNSUPPORTED and those of amst_mesh_create. */
-AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path,
-                                 const amst_options *options, amst_mesh **out);
-/* The same formats and .svg, a picture. A failure leaves no half-written file. */
+ * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of
+ * amst_mesh_create. */
+AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
+                                    amst_mesh **out);
+/* The same formats and .svg, a picture with the singularities marked. A failure
+ * leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
+/* A mesh of its own, with flags and revision, without savepoints. */
 AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
 AMST_API void amst_mesh_destroy(amst_mesh *mesh);
 
+/* 2 or 3 coordinates a point */
 AMST_API amst_status amst_mesh_get_dim(const amst_mesh *mesh, int32_t *dim);
+/* Number of vertices, edges or faces. Errors: ARGUMENT (entity). */
 AMST_API amst_status amst_mesh_get_count(const amst_mesh *mesh, int32_t entity, int64_t *count);
 /* Rises with every change of connectivity; never repeats in one mesh, except
  * that rollback returns to the number it names. */
 AMST_API amst_status amst_mesh_get_revision(const amst_mesh *mesh, int64_t *revision);
 /* [n_vertices][dim] */
-AMST_API amst_status amst_mesh_get_points(const amst_mesh *mesh, double *out, int64_t capacity, int64_t *needed);
-/* New positions for all vertices; connectivity and revision stay. */
+AMST_API amst_status amst_mesh_get_points(const amst_mesh *mesh, double *out, int64_t capacity,
+                                          int64_t *needed);
+/* New positions for all n vertices, [n][dim]; connectivity and revision stay.
+ * Errors: RANGE (n is not the number of vertices), NOT_FINITE. */
 AMST_API amst_status amst_mesh_set_points(amst_mesh *mesh, const double *points, int64_t n);
 /* [n_faces][4] vertices */
-AMST_API amst_status amst_mesh_get_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity, int64_t *needed);
+AMST_API amst_status amst_mesh_get_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+                                         int64_t *needed);
 /* [n_edges][2] vertices, smaller id first */
-AMST_API amst_status amst_mesh_get_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity, int64_t *needed);
+AMST_API amst_status amst_mesh_get_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+                                         int64_t *needed);
 /* [n_edges][2] faces, left then right of the edge, "none" beyond the boundary */
-AMST_API amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity, int64_t *needed);
-/* Edge of each of n vertex pairs, "none" where there is no such edge. */
-AMST_API amst_status amst_mesh_find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n, amst_id *edges);
+AMST_API amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+                                              int64_t *needed);
+/* Edge of each of n vertex pairs, "none" where there is no such edge; edges has
+ * room for n ids. Errors: RANGE (vertex, n). */
+AMST_API amst_status amst_mesh_find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n,
+                                          amst_id *edges);
 /* [n_vertices] number of edges at each vertex */
-AMST_API amst_status amst_mesh_get_valences(const amst_mesh *mesh, int32_t *out, int64_t capacity, int64_t *needed);
+AMST_API amst_status amst_mesh_get_valences(const amst_mesh *mesh, int32_t *out, int64_t capacity,
+                                            int64_t *needed);
 /* Interior vertices of valence != 4, ascending. */
-AMST_API amst_status amst_mesh_get_singularities(const amst_mesh *mesh, amst_id *out, int64_t capacity, int64_t *needed);
-/* Full check of connectivity and, for dim 2, orientation; the first fault is in
- * amst_last_error_where. */
+AMST_API amst_status amst_mesh_get_singularities(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+                                                 int64_t *needed);
+/* Full check of connectivity and, for dim 2, orientation: no corner turned over or
+ * flat. The first fault is in amst_last_error_where. */
 AMST_API amst_status amst_mesh_check(const amst_mesh *mesh);
-/* 64-bit digest of connectivity and coordinates; equal meshes, equal digest. */
+/* 64-bit digest of coordinates, connectivity, flags and markers; equal meshes,
+ * equal digest. */
 AMST_API amst_status amst_mesh_get_checksum(const amst_mesh *mesh, int64_t *digest);
 
-/* ------------------------------------------------------------------- flags */
+/* -------------------------------------------------------------------- flags */
 
-/* For the n given entities (ids NULL: all) set the bits in mask as in value. */
+/* For the n given entities set the amst_flag bits in mask as they are in value. ids
+ * NULL stands for all entities, whatever n is. The revision stays.
+ * Errors: ARGUMENT (entity), RANGE (id, n, bits that are no flag). */
 AMST_API amst_status amst_mesh_set_flags(amst_mesh *mesh, int32_t entity, const amst_id *ids, int64_t n,
-                                      int32_t mask, int32_t value);
-AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, int32_t *out, int64_t capacity, int64_t *needed);
+                                         int32_t mask, int32_t value);
+/* amst_flag bits of every vertex, edge or face. Errors: ARGUMENT (entity). */
+AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, int32_t *out,
+                                         int64_t capacity, int64_t *needed);
+
 /* ------------------------------------------------------------------ undoing */
 
-/* Remember the mesh; revision names the savepoint. Savepoints nest. */
+/* Remember the mesh: points, connectivity, flags. Savepoints nest. revision names the
+ * savepoint; of several with one name the latest is meant. Memory is taken only when
+ * the mesh changes. */
 AMST_API amst_status amst_mesh_mark(amst_mesh *mesh, int64_t *revision);
-/* Back to a savepoint, which stays; later ones are forgotten. */
+/* Back to a savepoint, which stays; later ones are forgotten. Patch sets of its
+ * revision are current again. Errors: NOT_FOUND. */
 AMST_API amst_status amst_mesh_rollback(amst_mesh *mesh, int64_t revision);
+/* Give up one savepoint; the mesh stays as it is. Errors: NOT_FOUND. */
 AMST_API amst_status amst_mesh_forget(amst_mesh *mesh, int64_t revision);
 
 /* ------------------------------------------------------------------ patches */
@@ -348,69 +379,119 @@ AMST_API amst_status amst_mesh_forget(amst_mesh *mesh, int64_t revision);
  * it along to the new revision and the new faces. Other changes make it STALE.
  * Faces that an earlier patch has, or that are FIXED, are left out of a new one;
  * AMST_OPT_REPAIR_PATCHES then makes it a disk if it can. `patch` of an add call
- * receives the new patch's id and may be NULL. */
+ * receives the new patch's id and may be NULL.
+ * Errors of all but create, destroy and get_count: STALE; RANGE (patch, face, vertex,
+ * count). Errors of add calls: PATCH (no face would be left), NOT_FINITE. */
 
-AMST_API amst_status amst_patches_create(const amst_mesh *mesh, const amst_options *options, amst_patches **out);
+/* The options that count are REPAIR_PATCHES, PATCH_FACES, MIN_CONVEXITY and SEED; they
+ * are copied. */
+AMST_API amst_status amst_patches_create(const amst_mesh *mesh, const amst_options *options,
+                                         amst_patches **out);
 AMST_API void amst_patches_destroy(amst_patches *patches);
-AMST_API amst_status amst_patches_add_faces(amst_patches *patches, const amst_id *faces, int64_t n, amst_id *patch);
-/* The faces within `rings` face layers of a vertex. */
-AMST_API amst_status amst_patches_add_rings(amst_patches *patches, amst_id vertex, int32_t rings, amst_id *patch);
-/* The connected faces around the one nearest to center, centroid within radius. */
-AMST_API amst_status amst_patches_add_ball(amst_patches *patches, const double center[3], double radius, amst_id *patch);
-AMST_API amst_status amst_patches_add_box(amst_patches *patches, const double low[3], const double high[3], amst_id *patch);
-/* Automatic patches over the faces not yet taken. added may be NULL. */
+/* n faces in any order; repetitions do not count. With AMST_OPT_REPAIR_PATCHES 0 a
+ * face that is taken or FIXED is AMST_ERR_PATCH. */
+AMST_API amst_status amst_patches_add_faces(amst_patches *patches, const amst_id *faces, int64_t n,
+                                            amst_id *patch);
+/* The faces within `rings` face layers of a vertex; 1: the faces at it. */
+AMST_API amst_status amst_patches_add_rings(amst_patches *patches, amst_id vertex, int32_t rings,
+                                            amst_id *patch);
+/* The connected faces around the one nearest to center, centroid within radius >= 0.
+ * A mesh of dim 2 lies in the plane z = 0. Errors: ARGUMENT (radius < 0). */
+AMST_API amst_status amst_patches_add_ball(amst_patches *patches, const double center[3], double radius,
+                                           amst_id *patch);
+/* The faces with their centroid in the box, the largest connected part of them.
+ * Errors: ARGUMENT (low above high). */
+AMST_API amst_status amst_patches_add_box(amst_patches *patches, const double low[3], const double high[3],
+                                          amst_id *patch);
+/* Automatic patches of about AMST_OPT_PATCH_FACES faces over the faces not yet taken,
+ * by a method of amst_decomposition. added, the number of new patches, may be NULL.
+ * Errors: ARGUMENT (method). */
 AMST_API amst_status amst_patches_decompose(amst_patches *patches, int32_t method, int64_t *added);
-/* 3 to 6 boundary vertices in boundary order; n = 0 lets the library choose. */
-AMST_API amst_status amst_patches_set_corners(amst_patches *patches, amst_id patch, const amst_id *vertices, int64_t n);
-/* alpha of one patch, or of AMST_ALL; 0 means: that of the operation. */
+/* 3 to 6 boundary vertices in boundary order, counter-clockwise; n = 0 lets the
+ * library choose. Whether they are that is told by amst_patches_check. Errors: RANGE
+ * (vertex, n). */
+AMST_API amst_status amst_patches_set_corners(amst_patches *patches, amst_id patch, const amst_id *vertices,
+                                              int64_t n);
+/* alpha of one patch, or of all that are in the set now (AMST_ALL); 0 means: that of
+ * the operation. Errors: ARGUMENT (alpha < 0), NOT_FINITE. */
 AMST_API amst_status amst_patches_set_alpha(amst_patches *patches, amst_id patch, double alpha);
 
 AMST_API amst_status amst_patches_get_count(const amst_patches *patches, int64_t *count);
-AMST_API amst_status amst_patches_get_faces(const amst_patches *patches, amst_id patch, amst_id *out, int64_t capacity, int64_t *needed);
-/* Boundary vertices, counter-clockwise, from the first corner. */
-AMST_API amst_status amst_patches_get_boundary(const amst_patches *patches, amst_id patch, amst_id *out, int64_t capacity, int64_t *needed);
-AMST_API amst_status amst_patches_get_corners(const amst_patches *patches, amst_id patch, amst_id *out, int64_t capacity, int64_t *needed);
-/* defects: amst_defect bits, 0 if usable. convexity: 0..1, 1 convex; may be NULL. */
-AMST_API amst_status amst_patches_check(const amst_patches *patches, amst_id patch, int32_t *defects, double *convexity);
+/* ascending */
+AMST_API amst_status amst_patches_get_faces(const amst_patches *patches, amst_id patch, amst_id *out,
+                                            int64_t capacity, int64_t *needed);
+/* Boundary vertices, counter-clockwise, from the first corner. Errors: PATCH (not a
+ * disk). */
+AMST_API amst_status amst_patches_get_boundary(const amst_patches *patches, amst_id patch, amst_id *out,
+                                               int64_t capacity, int64_t *needed);
+/* The corners that were set; otherwise the boundary vertices where one face fits.
+ * Errors: PATCH (not a disk). */
+AMST_API amst_status amst_patches_get_corners(const amst_patches *patches, amst_id patch, amst_id *out,
+                                              int64_t capacity, int64_t *needed);
+/* defects: amst_defect bits, 0 if usable. convexity: area over that of the convex hull,
+ * 0..1, 1 convex, 0 if the patch is no disk; may be NULL. */
+AMST_API amst_status amst_patches_check(const amst_patches *patches, amst_id patch, int32_t *defects,
+                                        double *convexity);
 
-/* Picture (.svg) of the mesh with the patch outlines. */
+/* Picture (.svg) of the mesh with the patch outlines and the singularities; a failure
+ * leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_patches_write(const amst_patches *patches, const char *path);
 /* What amst_adapt would deliver for that patch and alpha, without doing it: the
- * exact number of faces and of interior singularities. Any output may be NULL. */
+ * exact number of faces and of interior singularities. Either output may be NULL.
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, PATCH, NO_FILLING. */
 AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, double alpha,
-                                        const amst_options *options, int64_t *faces, int64_t *singularities);
+                                          const amst_options *options, int64_t *faces,
+                                          int64_t *singularities);
 
 /* --------------------------------------------------------------- operations */
-/* Each changes the mesh or, on failure and on cancel, not at all. `report` may be
- * NULL. Patches with defects are left and make the result AMST_PARTIAL. */
+/* Each changes the mesh or, on failure and on cancel, not at all; it works on a copy,
+ * so that for a moment the mesh takes twice its memory. `report` may be NULL; the
+ * report written there is the caller's. Patches with defects are left and make the
+ * result AMST_PARTIAL. The patch set moves along.
+ * Errors: ARGUMENT (patches of another mesh), STALE, STATE, CANCELLED. */
 
-/* Replace each patch by its alpha template. alpha > 0. */
+/* Replace each patch by its alpha template. alpha > 0 is for the patches that have
+ * none of their own. Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
-                             const amst_options *options, amst_report **report);
+                                const amst_options *options, amst_report **report);
 /* Replace each patch by its minimum singularity template, boundary kept. */
 AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches,
-                                            const amst_options *options, amst_report **report);
-/* Move interior vertices of the patches, or of the mesh if patches is NULL. */
-AMST_API amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches,
-                              const amst_options *options, amst_report **report);
-/* Remove doublets and split valences above 5. */
+                                               const amst_options *options, amst_report **report);
+/* Move interior vertices of the patches, or of the mesh if patches is NULL; flagged
+ * ones stay, and so does the revision. */
+AMST_API amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst_options *options,
+                                 amst_report **report);
+/* Remove doublets and split valences above 5. The revision rises if there were any. */
 AMST_API amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report **report);
+
 /* ------------------------------------------------------------------ quality */
 
-/* [n_faces] */
-AMST_API amst_status amst_mesh_get_quality(const amst_mesh *mesh, int32_t metric, double *out, int64_t capacity, int64_t *needed);
+/* [n_faces] an amst_metric of each face: areas and Jacobians in squared units of the
+ * coordinates, angles in degrees, the others without a unit. Errors: ARGUMENT (metric). */
+AMST_API amst_status amst_mesh_get_quality(const amst_mesh *mesh, int32_t metric, double *out,
+                                           int64_t capacity, int64_t *needed);
+/* Errors: ARGUMENT (metric). */
 AMST_API amst_status amst_mesh_get_summary(const amst_mesh *mesh, int32_t metric, amst_summary *out);
 
 /* ------------------------------------------------------------------- report */
-/* Immutable; outlives mesh and patches. */
+/* Immutable; outlives mesh and patches. patch is an id or AMST_ALL; an operation that
+ * had no patches has AMST_ALL only. Of AMST_ALL counts are sums and qualities the
+ * smallest. Errors: RANGE (patch), NOT_FOUND (key of the other type or unknown). */
 
 AMST_API void amst_report_destroy(amst_report *report);
-AMST_API amst_status amst_report_get_int(const amst_report *report, amst_id patch, int32_t key, int64_t *value);
-AMST_API amst_status amst_report_get_real(const amst_report *report, amst_id patch, int32_t key, double *value);
-/* Interior vertices of one valence before (after = 0) or after the operation. */
-AMST_API amst_status amst_report_get_valence(const amst_report *report, amst_id patch, int32_t after, int32_t valence, int64_t *count);
-/* For each new entity the old one it is, "none" if it is new. */
-AMST_API amst_status amst_report_get_origin(const amst_report *report, int32_t entity, amst_id *out, int64_t capacity, int64_t *needed);
+AMST_API amst_status amst_report_get_int(const amst_report *report, amst_id patch, int32_t key,
+                                         int64_t *value);
+AMST_API amst_status amst_report_get_real(const amst_report *report, amst_id patch, int32_t key,
+                                          double *value);
+/* Interior vertices of one valence before (after = 0) or after the operation; those
+ * of AMST_ALL are the ones of the whole mesh. */
+AMST_API amst_status amst_report_get_valence(const amst_report *report, amst_id patch, int32_t after,
+                                             int32_t valence, int64_t *count);
+/* For each vertex, edge or face of the mesh after the operation the one it was before,
+ * "none" if it is new. Errors: ARGUMENT (entity). */
+AMST_API amst_status amst_report_get_origin(const amst_report *report, int32_t entity, amst_id *out,
+                                            int64_t capacity, int64_t *needed);
+
 #ifdef __cplusplus
 }
 #endif

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
-#include <set>
+#include <memory>
+#include <optional>
 #include <unordered_map>
 
-#include "fill/exact.h"
+#include "fill/collapse.h"
 #include "fill/plan.h"
 #include "geometry/embed.h"
 #include "geometry/plane.h"
+#include "patch/patches.h"
 
 namespace alphamst::adapt {
 namespace {
@@ -51,35 +52,97 @@ public:
         if (bits != 0)
             throw Refusal{Fault::patch, name_defects(bits)};
         window = patch::make_window(mesh, patch.faces);
+        regular_ = window.wanted;
         if (!patch.corners.empty())
             use_corners(patch.corners);
         flatten();
         read_old_filling();
+        if (goal.keep_quality && patch.corners.empty())
+            keep_angles();
     }
 
     // Fillings to try, best first; entries are different in numbers or shape.
     std::vector<fill::Candidate> candidates() const {
-        fill::Request request;
-        request.word = window.wanted;
-        for (std::size_t i = 0; i < window.loop.size(); ++i)
-            request.regular.push_back(mesh_.on_boundary(window.loop[i]) ? window.wanted[i] : 4 - window.outside[i]);
-        request.angles = patch::loop_angles(mesh_, window);
-        request.faces = goal_.faces;
-        request.any_count = goal_.any_count;
-        request.most = settings_.candidates;
-        request.node_limit = settings_.node_limit;
-        request.seed = settings_.seed;
-        std::vector<fill::Candidate> list = fill::plan(request);
-        if (!goal_.forbid_old && old_is_simple() &&
-            (goal_.any_count || goal_.faces == static_cast<std::int64_t>(old.quads.size()))) {
-            // Between those that have fewer singularities and those that have not.
-            const auto faces = static_cast<std::int64_t>(old.quads.size());
-            const auto place = std::find_if(list.begin(), list.end(), [&](const fill::Candidate &c) {
-                return (!goal_.any_count && c.faces != goal_.faces) || c.singularities >= old_singular_all_;
+        if (!goal_.keep_quality)
+            return fill::plan(request());
+        // A smallest scaled Jacobian that is already good is seldom reached again next to a
+        // boundary that cannot move: there a rim of faces stays.
+        constexpr double good = 0.6;
+        std::vector<fill::Candidate> list;
+        if (old_quality < good)
+            list = fill::plan(request());
+        for (int layers = 1; layers <= 2; ++layers)
+            for (fill::Candidate &candidate : inner_candidates(layers))
+                list.push_back(std::move(candidate));
+        return list;
+    }
+
+    // New fillings of what lies at least so many layers of faces off the boundary; the
+    // faces in between stay as they are.
+    std::vector<fill::Candidate> inner_candidates(int layers) const {
+        std::vector<int> faces = window.faces;
+        for (int layer = 0; layer < layers; ++layer) {
+            std::vector<int> rim = layer == 0 ? window.loop : border(faces);
+            std::sort(rim.begin(), rim.end());
+            std::erase_if(faces, [&](int f) {
+                const auto corners = mesh_.corners(f);
+                return std::any_of(corners.begin(), corners.end(),
+                                   [&](int v) { return std::binary_search(rim.begin(), rim.end(), v); });
             });
-            const bool last = place == list.end() && static_cast<int>(list.size()) >= settings_.candidates;
-            list.insert(last ? place - 1 : place, {faces, old_singular_all_, 0, [this] { return old; }});
         }
+        const std::vector<char> none(static_cast<std::size_t>(mesh_.n_faces()), 0);
+        faces = patch::repair(mesh_, std::move(faces), none);
+        if (faces.size() < 4)
+            return {};
+        const auto inner = std::make_shared<const Inner>(*this, patch::make_window(mesh_, faces));
+        fill::Request request = this->request();
+        request.word = inner->window.wanted;
+        request.regular.clear();
+        for (const int outside : inner->window.outside)
+            request.regular.push_back(4 - outside);
+        request.angles.clear(); // its boundary can move
+        request.faces = goal_.faces - static_cast<std::int64_t>(window.faces.size() - faces.size());
+        request.old = nullptr;
+        std::vector<fill::Candidate> list;
+        if (request.faces < 1)
+            return list;
+        for (fill::Candidate &candidate : fill::plan(request)) {
+            candidate.faces += static_cast<std::int64_t>(window.faces.size() - faces.size());
+            candidate.singularities += inner->singular_outside;
+            candidate.build = [inner, fill = std::move(candidate.build)] { return inner->complete(fill()); };
+            list.push_back(std::move(candidate));
+        }
+        return list;
+    }
+
+    // The candidates with the present filling before the first that has more singularities.
+    std::vector<fill::Candidate> ordered() const {
+        std::vector<fill::Candidate> list = candidates();
+        std::optional<fill::Candidate> there = present();
+        if (!there)
+            return list;
+        if (goal_.keep_quality)
+            std::erase_if(list, [&](const fill::Candidate &c) { return c.singularities >= there->singularities; });
+        const auto place = std::find_if(list.begin(), list.end(), [&](const fill::Candidate &c) {
+            return (!goal_.any_count && c.faces != goal_.faces) || c.singularities >= there->singularities;
+        });
+        list.insert(place, std::move(*there));
+        return list;
+    }
+
+    // The filling that is there, if it has the wanted numbers.
+    std::optional<fill::Candidate> present() const {
+        const auto faces = static_cast<std::int64_t>(old.quads.size());
+        if (goal_.forbid_old || (!goal_.any_count && goal_.faces != faces))
+            return std::nullopt;
+        return fill::Candidate{faces, old_singular_all_, 0, [this] { return old; }};
+    }
+
+    // Less regular fillings, for when none of the candidates can be given a valid shape.
+    std::vector<fill::Candidate> fallbacks() const {
+        std::vector<fill::Candidate> list = inner_candidates(1);
+        for (fill::Candidate &candidate : fill::plan_by_collapse(request()))
+            list.push_back(std::move(candidate));
         return list;
     }
 
@@ -146,6 +209,72 @@ public:
     double old_quality = 0;
 
 private:
+    // The inside of the patch and the faces around it, which stay.
+    struct Inner {
+        Inner(const Site &site, patch::Window inside) : window(std::move(inside)) {
+            rim.boundary = static_cast<int>(site.window.loop.size());
+            rim.vertices = rim.boundary;
+            std::vector<int> name(static_cast<std::size_t>(site.old.vertices), -1);
+            for (int v = 0; v < rim.boundary; ++v)
+                name[static_cast<std::size_t>(v)] = v;
+            auto renamed = [&](int v) {
+                int &number = name[static_cast<std::size_t>(v)];
+                if (number < 0)
+                    number = rim.vertices++;
+                return number;
+            };
+            for (const int v : window.loop)
+                loop.push_back(renamed(site.local_.at(v)));
+            for (std::size_t q = 0; q < site.old.quads.size(); ++q) {
+                if (std::binary_search(window.faces.begin(), window.faces.end(), site.window.faces[q]))
+                    continue;
+                rim.quads.push_back({});
+                for (std::size_t k = 0; k < 4; ++k)
+                    rim.quads.back()[k] = renamed(site.old.quads[q][k]);
+            }
+            singular_outside = site.old_singular_all_;
+            for (const auto *list : {&window.loop, &window.interior})
+                for (const int v : *list)
+                    singular_outside -= site.mesh_.singular(v);
+        }
+        fill::Filling complete(const fill::Filling &inside) const {
+            fill::Filling whole = rim;
+            fill::append(whole, inside, loop);
+            return whole;
+        }
+
+        patch::Window window;
+        fill::Filling rim;     // boundary of the patch, kept faces
+        std::vector<int> loop; // of the inside, as vertices of rim
+        int singular_outside = 0;
+    };
+
+    // Vertices at which both a face of the set and another face of the patch lie, or the loop.
+    std::vector<int> border(const std::vector<int> &faces) const {
+        std::vector<int> vertices;
+        for (const int f : window.faces)
+            if (!std::binary_search(faces.begin(), faces.end(), f))
+                for (const int v : mesh_.corners(f))
+                    vertices.push_back(v);
+        return vertices;
+    }
+
+    fill::Request request() const {
+        fill::Request request;
+        request.word = window.wanted;
+        for (std::size_t i = 0; i < window.loop.size(); ++i)
+            request.regular.push_back(mesh_.on_boundary(window.loop[i]) ? regular_[i] : 4 - window.outside[i]);
+        request.angles = patch::loop_angles(mesh_, window);
+        request.least_sine = least_sine_;
+        request.faces = goal_.faces;
+        request.any_count = goal_.any_count;
+        request.most = settings_.candidates;
+        request.node_limit = settings_.node_limit;
+        request.seed = settings_.seed;
+        request.old = &old;
+        return request;
+    }
+
     // The caller's corners have one face, all other boundary vertices are flat.
     void use_corners(const std::vector<int> &corners) {
         std::fill(window.wanted.begin(), window.wanted.end(), 2);
@@ -154,6 +283,25 @@ private:
             if (at == window.loop.end())
                 throw Refusal{Fault::patch, "a corner of the patch is not on its boundary; set the corners anew"};
             window.wanted[static_cast<std::size_t>(at - window.loop.begin())] = 1;
+        }
+    }
+
+    // A vertex stays singular where the regular letter would split its angle worse than the
+    // worst corner there is.
+    void keep_angles() {
+        least_sine_ = std::min(0.95, old_quality + 0.01);
+        const std::vector<double> angles = patch::loop_angles(mesh_, window);
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            auto sine = [&](int letter) {
+                constexpr double degree = 3.14159265358979323846 / 180;
+                return angles[i] < 175 * letter ? std::sin(angles[i] / letter * degree) : -1;
+            };
+            int best = window.wanted[i];
+            for (int away = 1; away < 3 && sine(best) < least_sine_; ++away)
+                for (const int letter : {window.wanted[i] - away, window.wanted[i] + away})
+                    if (letter >= 1 && letter <= 4 && sine(letter) > sine(best))
+                        best = letter;
+            window.wanted[i] = best;
         }
     }
 
@@ -184,7 +332,7 @@ private:
     }
 
     void read_old_filling() {
-        std::unordered_map<int, int> local;
+        auto &local = local_;
         for (const int v : window.loop)
             local.emplace(v, static_cast<int>(local.size()));
         for (const int v : window.interior)
@@ -200,16 +348,7 @@ private:
         for (const auto &[valence, count] : valences(old))
             old_singular_all_ += valence != 4 ? static_cast<int>(count) : 0;
         for (std::size_t i = 0; i < window.loop.size(); ++i)
-            old_singular_all_ += mesh_.on_boundary(window.loop[i]) && window.inside[i] != window.wanted[i];
-    }
-
-    // Nothing that a new filling could not have: valences 3 to 5 or what the outside forces.
-    bool old_is_simple() const {
-        std::vector<int> faces(static_cast<std::size_t>(old.vertices), 0);
-        for (const auto &quad : old.quads)
-            for (const int v : quad)
-                ++faces[static_cast<std::size_t>(v)];
-        return std::all_of(faces.begin() + old.boundary, faces.end(), [](int f) { return f >= 3 && f <= 5; });
+            old_singular_all_ += mesh_.on_boundary(window.loop[i]) && window.inside[i] != regular_[i];
     }
 
     bool inside(int edge) const {
@@ -224,6 +363,9 @@ private:
     geometry::Plane plane_;
     geometry::Points old_positions_; // loop, then interior
     int old_singular_all_ = 0;       // and mismatches on the mesh boundary
+    double least_sine_ = 0;
+    std::unordered_map<int, int> local_; // vertex of the mesh -> of old
+    std::vector<int> regular_; // letters that the mesh wants, whatever this goal makes of them
 };
 
 std::int64_t singular(const std::map<int, std::int64_t> &valences) {
@@ -259,47 +401,73 @@ struct Best {
     std::int64_t number = -1;
 };
 
-Best choose(const Site &site, const Goal &goal, const Settings &settings) {
-    const std::vector<fill::Candidate> candidates = site.candidates();
-    Best best;
-    std::int64_t first_faces = -1, first_singular = -1, number = 0;
-    bool any_fits = false;
-    for (const fill::Candidate &candidate : candidates) {
-        fill::Filling filling = candidate.build();
-        if (!site.fits(filling))
-            continue;
-        auto valences = site.valences(filling);
-        const std::int64_t singular_now = singular(valences);
-        const auto faces = static_cast<std::int64_t>(filling.quads.size());
-        if (!any_fits) {
-            first_faces = faces;
-            first_singular = singular_now;
-        }
-        any_fits = true;
-        // A valid filling with the predicted numbers is only given up for a better shape with the
-        // same numbers.
-        const bool as_predicted = faces == first_faces && singular_now == first_singular;
-        if (best.number == 0 && !as_predicted)
-            break;
-        geometry::Embedding embedding = site.embed(filling);
-        number += as_predicted ? 0 : 1;
-        if (!embedding.valid || embedding.min_scaled_jacobian <= settings.min_quality)
-            continue;
-        const bool better = best.number < 0 ||
-                            embedding.min_scaled_jacobian > best.embedding.min_scaled_jacobian;
-        if (better)
-            best = {std::move(filling), std::move(embedding), std::move(valences), as_predicted ? 0 : number};
-        if (!goal.keep_quality || best.embedding.min_scaled_jacobian >= site.old_quality)
-            break;
+// A smallest scaled Jacobian (Verdict's acceptable one) above which other fillings of the same
+// numbers are not tried.
+constexpr double comfortable = 0.3;
+
+// Tries candidates in their order and keeps the best shape.
+class Choice {
+public:
+    Choice(const Site &site, const Goal &goal, const Settings &settings)
+        : site_(site), goal_(goal), settings_(settings) {}
+
+    Best run() {
+        if (!try_all(site_.ordered()) && !goal_.any_count)
+            try_all(site_.fallbacks());
+        if (first_faces_ < 0)
+            refuse_count(site_, goal_);
+        if (best_.number < 0)
+            throw Refusal{Fault::geometry, "none of " + std::to_string(tried_) +
+                                               " fillings could be given a valid shape; try another alpha, a rounder "
+                                               "patch or a larger number of candidates"};
+        return std::move(best_);
     }
-    if (!any_fits)
-        refuse_count(site, goal);
-    if (best.number < 0)
-        throw Refusal{Fault::geometry, "none of " + std::to_string(candidates.size()) +
-                                           " fillings could be given a valid shape; try another alpha, a rounder "
-                                           "patch or a larger number of candidates"};
-    return best;
-}
+
+private:
+    // Whether a valid one is found. Fillings with other numbers than the first are tried only if
+    // none with the same is valid, or, where the old quality is to be kept, good enough.
+    bool try_all(const std::vector<fill::Candidate> &candidates) {
+        for (const fill::Candidate &candidate : candidates) {
+            fill::Filling filling = candidate.build();
+            if (!site_.fits(filling))
+                continue;
+            auto valences = site_.valences(filling);
+            const auto faces = static_cast<std::int64_t>(filling.quads.size());
+            const std::int64_t singular_now = singular(valences);
+            if (first_faces_ < 0) {
+                first_faces_ = faces;
+                first_singular_ = singular_now;
+            }
+            const bool as_predicted = faces == first_faces_ && singular_now == first_singular_;
+            if (faces != first_faces_ && !goal_.any_count)
+                continue; // the predicted count is kept, come what may
+            if (best_.number >= 0 && !as_predicted && !goal_.keep_quality)
+                break;
+            later_ += as_predicted ? 0 : 1;
+            ++tried_;
+            if (judge(std::move(filling), std::move(valences), as_predicted ? 0 : later_))
+                return true;
+        }
+        return best_.number >= 0;
+    }
+
+    // Whether the filling is good enough to end the search.
+    bool judge(fill::Filling filling, std::map<int, std::int64_t> valences, std::int64_t number) {
+        geometry::Embedding embedding = site_.embed(filling);
+        const double quality = embedding.min_scaled_jacobian;
+        if (!embedding.valid || quality <= settings_.min_quality)
+            return false;
+        if (best_.number < 0 || quality > best_.embedding.min_scaled_jacobian)
+            best_ = {std::move(filling), std::move(embedding), std::move(valences), number};
+        return quality >= (goal_.keep_quality ? site_.old_quality : std::min(site_.old_quality, comfortable));
+    }
+
+    const Site &site_;
+    const Goal &goal_;
+    const Settings &settings_;
+    Best best_;
+    std::int64_t first_faces_ = -1, first_singular_ = -1, later_ = 0, tried_ = 0;
+};
 
 } // namespace
 
@@ -320,7 +488,7 @@ Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &go
         outcome.singular_bound = bound(site, mesh);
         outcome.quality_before = outcome.quality_after = site.old_quality;
         proposal.window = site.window;
-        Best best = choose(site, goal, settings);
+        Best best = Choice(site, goal, settings).run();
         proposal.points = site.lift(best.embedding.positions);
         proposal.filling = std::move(best.filling);
         outcome.faces_after = static_cast<std::int64_t>(proposal.filling.quads.size());
@@ -339,7 +507,7 @@ Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &go
 Prediction first_choice(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings) {
     try {
         const Site site(mesh, patch, goal, settings);
-        for (const fill::Candidate &candidate : site.candidates()) {
+        for (const fill::Candidate &candidate : site.ordered()) {
             const fill::Filling filling = candidate.build();
             if (site.fits(filling))
                 return {static_cast<std::int64_t>(filling.quads.size()), singular(site.valences(filling))};

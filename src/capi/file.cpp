@@ -76,7 +76,7 @@ amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_optio
         const std::shared_ptr<Context> &context = required(ctx, "ctx").impl;
         required(path, "path");
         amst_mesh *&created = required(out, "out");
-        auto mesh = std::make_shared<mesh::QuadMesh>(mesh_of(io::read(path)));
+        std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(mesh_of(io::read(path))));
         created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
     });
 }

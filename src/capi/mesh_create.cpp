@@ -91,8 +91,10 @@ void create(amst_context *ctx, std::int32_t dim, const double *coords, std::int6
         strided(faces, n_faces, 4, face_stride, corner_stride, "face_stride", "corner_stride");
     std::vector<double> kept_points;
     std::vector<std::int32_t> kept_faces;
-    auto mesh = std::make_shared<mesh::QuadMesh>(mesh::QuadMesh::build(
-        dim, points_of(points, kept_points), faces_of(corners, context->index_base, n_vertices, kept_faces)));
+    // Built in place: the kernel has no move constructor.
+    std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(
+        mesh::QuadMesh::build(dim, points_of(points, kept_points),
+                              faces_of(corners, context->index_base, n_vertices, kept_faces))));
     created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
 }
 

@@ -22,7 +22,13 @@ struct Layout {
     std::vector<std::array<int, 2>> crossing;  // [blocks] chords across edges 0-1 and 1-2
     std::vector<std::vector<int>> incidence;   // [sides][chords] ends of the chord on the side
     std::vector<std::vector<int>> product;     // [chords][chords] symmetric: faces = x' product x / 2
-    std::vector<Multiplicities> null_moves;    // small changes of x that keep every side length
+    // A small change z of the multiplicities that keeps every side length;
+    // faces(x + t z) = faces(x) + t (slope . x) + t^2 curvature.
+    struct Move {
+        Multiplicities z, slope;
+        std::int64_t curvature = 0;
+    };
+    std::vector<Move> moves;
 
     int singularities() const { return v3 + v5; }
 };

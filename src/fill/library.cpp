@@ -61,7 +61,7 @@ bool canonical(const Sides &sides) {
 
 // Small integer vectors z with incidence z = 0, shortest first: steps between
 // multiplicities of equal side lengths.
-std::vector<Multiplicities> null_moves(const Layout &layout) {
+std::vector<Layout::Move> moves_of(const Layout &layout) {
     const auto chords = static_cast<std::size_t>(layout.chords);
     const int reach = layout.chords - layout.sides > 6 ? 1 : 2;
     std::vector<std::size_t> last(layout.incidence.size(), 0); // last chord with an end on the side
@@ -101,7 +101,15 @@ std::vector<Multiplicities> null_moves(const Layout &layout) {
     constexpr std::size_t kept = 48;
     if (moves.size() > kept)
         moves.resize(kept);
-    return moves;
+    std::vector<Layout::Move> result;
+    for (Multiplicities &move : moves) {
+        Layout::Move next{std::move(move), Multiplicities(chords, 0), 0};
+        for (std::size_t a = 0; a < chords; ++a)
+            next.slope[a] = std::inner_product(next.z.begin(), next.z.end(), layout.product[a].begin(), 0);
+        next.curvature = std::inner_product(next.z.begin(), next.z.end(), next.slope.begin(), 0) / 2;
+        result.push_back(std::move(next));
+    }
+    return result;
 }
 
 std::vector<Layout> generate(const Sample &sample) {
@@ -139,7 +147,7 @@ std::vector<Layout> generate(const Sample &sample) {
     }
     std::vector<Layout> layouts;
     for (auto &[key, layout] : found) {
-        layout.null_moves = null_moves(layout);
+        layout.moves = moves_of(layout);
         layouts.push_back(std::move(layout));
     }
     // Types with more chords are more general; the others are their limits.

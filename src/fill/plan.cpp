@@ -8,6 +8,7 @@
 #include <set>
 
 #include "fill/alpha.h"
+#include "fill/collapse.h"
 #include "fill/exact.h"
 #include "fill/front.h"
 #include "fill/polygon.h"
@@ -18,6 +19,7 @@ namespace {
 
 // A face spans less than a straight angle; the margin keeps it well shaped.
 constexpr double widest_corner = 175;
+constexpr double degree = 3.14159265358979323846 / 180;
 
 // What is left after a front was advanced, read as a polygon: `corners` keep one
 // face, all other front vertices become flat.
@@ -27,8 +29,18 @@ struct Option {
     Sides sides;
     int changed = 0; // vertices that become singular (or cease to be) by this reading
     int least = 0;   // changed + fewest singularities inside
-    double misfit = 0; // |log| of wanted over natural face count
+    double natural = 0; // faces of a square-like filling of the sides
+    double misfit = 0;  // |log| of wanted over natural face count
 };
+
+// Face counts over the natural one that polygons with N corners and 0, 2 or 4 more than their
+// fewest singularities were measured to reach.
+struct Reach {
+    double low, high;
+};
+constexpr Reach reaches[6][3] = {{{0.25, 4.0}, {1, 0}, {1, 0}},           {{0.2, 2.0}, {0.15, 3.9}, {1, 0}},
+                                 {{0.5, 1.8}, {0.3, 1.9}, {1, 0}},        {{0.6, 1.25}, {0.2, 1.9}, {0.4, 1.6}},
+                                 {{0.45, 1.05}, {0.3, 1.5}, {0.25, 1.6}}, {{0.5, 0.9}, {0.3, 1.1}, {0.3, 1.4}}};
 
 class Planner {
 public:
@@ -37,10 +49,11 @@ public:
     std::vector<Candidate> run() {
         if (request_.word.size() < 4 || request_.word.size() % 2 != 0)
             return {};
-        collect_options();
-        exact_fillings();
+        collect_stages();
         template_fillings();
         sort();
+        if (exact_fillings())
+            sort();
         return std::move(candidates_);
     }
 
@@ -59,14 +72,20 @@ private:
         if (id >= request_.angles.size() || request_.angles.empty())
             return true;
         const int laid = request_.word[id] - front.word[position];
-        return request_.angles[id] < widest_corner * (letter + laid);
+        const double angle = request_.angles[id] / (letter + laid);
+        return angle < widest_corner && std::sin(angle * degree) >= request_.least_sine;
     }
     int buried_cost(const Front &front) const; // boundary vertices no longer on the front
 
-    void collect_options();
+    void collect_stages();
+    void add_stage(Front front);
     void add_readings(const std::shared_ptr<const Front> &front);
+    std::vector<int> choose(const std::vector<int> &pool, const std::vector<int> &forced, int n, int round,
+                            int length);
     void add_option(const std::shared_ptr<const Front> &front, std::vector<int> corners, int base);
-    void exact_fillings();
+    bool exact_fillings();
+    void read_stages(int k);
+    bool reachable(const Option &option, int inside) const;
     void template_fillings();
     void try_polygon(const Option &option, int singularities, std::size_t most);
     void try_flat(const Option &option, int singularities);
@@ -77,9 +96,18 @@ private:
 
     const Request &request_;
     Random random_;
+    // A front and the fewest singularities that any reading of it can have.
+    struct Stage {
+        std::shared_ptr<const Front> front;
+        int least = 0;
+        bool read = false;
+        int concave = 0;
+    };
+    std::vector<Stage> stages_;
     std::vector<Option> options_;
     std::vector<Candidate> candidates_;
     std::int64_t slack_ = 0;
+    int solves_ = 0; // templates that may still be looked for
 };
 
 int Planner::buried_cost(const Front &front) const {
@@ -93,77 +121,69 @@ int Planner::buried_cost(const Front &front) const {
     return cost;
 }
 
-void Planner::collect_options() {
+// Every front that cheap rows of quads lead to; their readings come later, as needed.
+void Planner::collect_stages() {
     Front front(request_.word);
-    for (int stage = 0; stage < 64; ++stage) {
+    for (int step = 0; step < 64; ++step) {
         const auto laid = static_cast<std::int64_t>(front.quads.size());
         if (laid + static_cast<std::int64_t>(front.word.size()) / 2 - 1 > highest() + request_.tolerance)
             break;
-        add_readings(std::make_shared<const Front>(front));
-        if (stage == 0 || front.concaves() == 0) {
-            Front ring = front;
-            if (ring.offset())
-                add_readings(std::make_shared<const Front>(std::move(ring)));
-        }
+        add_stage(front);
+        Front ring = front;
+        if (ring.offset())
+            add_stage(std::move(ring));
         if (front.concaves() == 0 || !front.cancel_concave())
             break;
     }
-    std::stable_sort(options_.begin(), options_.end(), [](const Option &a, const Option &b) {
-        return a.least != b.least ? a.least < b.least : a.misfit < b.misfit;
-    });
+}
+
+// The best case of a stage: its concave vertices become flat, three to six corners stay.
+void Planner::add_stage(Front front) {
+    Stage stage{std::make_shared<const Front>(std::move(front)), 0, false};
+    const Front &here = *stage.front;
+    int flattened = buried_cost(here), concave = 0, corners = 0;
+    for (std::size_t i = 0; i < here.word.size(); ++i) {
+        corners += here.word[i] == 1;
+        concave += here.word[i] > 2;
+        if (here.word[i] > 2) {
+            flattened += position_cost(here, i, 2);
+            if (!allowed(here, i, 2))
+                return; // this vertex cannot become flat
+        }
+    }
+    stage.least = flattened + (corners <= 4 ? 4 - corners : corners - 4);
+    stage.concave = concave;
+    stages_.push_back(std::move(stage));
 }
 
 // Reads the front as flat, and as polygons with 1 to 6 of its corners kept.
 void Planner::add_readings(const std::shared_ptr<const Front> &front) {
     const std::size_t length = front->word.size();
     int base = buried_cost(*front);
-    std::vector<int> pool, flats;
+    std::vector<int> pool, flats, forced; // forced: corners that cannot become flat
     for (std::size_t i = 0; i < length; ++i) {
         const int letter = front->word[i];
         if (letter == 1)
-            pool.push_back(static_cast<int>(i));
-        else if (!allowed(*front, i, 2))
-            return; // this vertex cannot become flat
+            (allowed(*front, i, 2) ? pool : forced).push_back(static_cast<int>(i));
         else if (letter == 2 && allowed(*front, i, 1))
             flats.push_back(static_cast<int>(i));
         base += position_cost(*front, i, 2);
     }
-    add_option(front, {}, base);
+    if (forced.empty())
+        add_option(front, {}, base);
     // Without enough corners some flat vertices are made into corners, spread evenly.
-    for (std::size_t k = 0; k < 8 && pool.size() < 6 && !flats.empty(); ++k) {
+    for (std::size_t k = 0; k < 8 && pool.size() + forced.size() < 6 && !flats.empty(); ++k) {
         const int v = flats[k * flats.size() / 8];
         if (std::find(pool.begin(), pool.end(), v) == pool.end())
             pool.push_back(v);
     }
     std::sort(pool.begin(), pool.end());
     std::set<std::vector<int>> seen;
-    for (int n = 1; n <= 6 && n <= static_cast<int>(pool.size()); ++n)
-        for (int round = 0; round < (n <= 2 ? 12 : 60); ++round) {
-            std::vector<int> chosen = pool;
-            if (static_cast<int>(pool.size()) > n) {
-                if (round < static_cast<int>(pool.size())) { // evenly spread along the front
-                    chosen.clear();
-                    const int first = pool[static_cast<std::size_t>(round)];
-                    for (int k = 0; k < n; ++k) {
-                        const int aim = (first + k * static_cast<int>(length) / n) % static_cast<int>(length);
-                        chosen.push_back(*std::min_element(pool.begin(), pool.end(), [&](int a, int b) {
-                            auto away = [&](int p) {
-                                const int d = std::abs(p - aim);
-                                return std::min(d, static_cast<int>(length) - d);
-                            };
-                            return away(a) < away(b);
-                        }));
-                    }
-                } else {
-                    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
-                        std::swap(chosen[k], chosen[k + random_() % (chosen.size() - k)]);
-                    chosen.resize(static_cast<std::size_t>(n));
-                }
-                std::sort(chosen.begin(), chosen.end());
-                if (std::unique(chosen.begin(), chosen.end()) != chosen.end())
-                    continue;
-            }
-            if (!seen.insert(chosen).second)
+    const int most = std::min(6, static_cast<int>(pool.size() + forced.size()));
+    for (int n = std::max(1, static_cast<int>(forced.size())); n <= most; ++n)
+        for (int round = 0; round < (n <= 2 ? 8 : 32); ++round) {
+            std::vector<int> chosen = choose(pool, forced, n, round, static_cast<int>(length));
+            if (chosen.empty() || !seen.insert(chosen).second)
                 continue;
             int cost = base;
             for (const int c : chosen)
@@ -173,61 +193,88 @@ void Planner::add_readings(const std::shared_ptr<const Front> &front) {
         }
 }
 
+// n corners, ascending, all forced ones and some of the pool: in the first rounds evenly spread from
+// one of them, then at random. Empty if the even places coincide.
+std::vector<int> Planner::choose(const std::vector<int> &pool, const std::vector<int> &forced, int n, int round,
+                                 int length) {
+    std::vector<int> chosen = forced, rest = pool;
+    if (round < static_cast<int>(pool.size())) {
+        const int first = pool[static_cast<std::size_t>(round)];
+        for (int k = 0; static_cast<int>(chosen.size()) < n; ++k) {
+            const int aim = (first + k * length / n) % length;
+            chosen.push_back(*std::min_element(pool.begin(), pool.end(), [&](int a, int b) {
+                auto away = [&](int p) { return std::min(std::abs(p - aim), length - std::abs(p - aim)); };
+                return away(a) < away(b);
+            }));
+        }
+    } else {
+        for (std::size_t k = 0; static_cast<int>(chosen.size()) < n && k < rest.size(); ++k) {
+            std::swap(rest[k], rest[k + random_() % (rest.size() - k)]);
+            chosen.push_back(rest[k]);
+        }
+    }
+    std::sort(chosen.begin(), chosen.end());
+    if (std::adjacent_find(chosen.begin(), chosen.end()) != chosen.end() || static_cast<int>(chosen.size()) != n)
+        chosen.clear();
+    return chosen;
+}
+
 void Planner::add_option(const std::shared_ptr<const Front> &front, std::vector<int> corners, int base) {
     const int length = static_cast<int>(front->word.size());
-    Option option{front, std::move(corners), {}, base, 0, 0};
+    Option option{front, std::move(corners), {}, base, 0, 0, 0};
     const std::size_t n = option.corners.size();
     for (std::size_t i = 0; i < n; ++i)
         option.sides.push_back(i + 1 < n ? option.corners[i + 1] - option.corners[i]
                                          : length - option.corners[i] + option.corners[0]);
     option.least = base + (n == 0 ? 4 : least_singularities(option.sides));
     const double rest = static_cast<double>(request_.faces) - static_cast<double>(front->quads.size());
-    double natural = length * length / 16.0;
-    if (n == 4)
-        natural = 0.25 * (option.sides[0] + option.sides[2]) * (option.sides[1] + option.sides[3]);
-    else if (n == 3)
-        natural = length * length / 21.0;
-    option.misfit = std::abs(std::log(std::max(1.0, rest) / natural));
+    option.natural = n == 4 ? 0.25 * (option.sides[0] + option.sides[2]) * (option.sides[1] + option.sides[3])
+                            : length * length / 16.0;
+    option.misfit = std::abs(std::log(std::max(1.0, rest) / option.natural));
     if (n == 0)
         option.misfit = rest < 1.5 * length ? 10 : 0.2;
     options_.push_back(std::move(option));
 }
 
-// Small words: the exact filler, for every number of singularities below the best known.
-void Planner::exact_fillings() {
+// Small words: the exact filler, for every number of singularities below that of the best template.
+bool Planner::exact_fillings() {
     const int length = static_cast<int>(request_.word.size());
-    const std::int64_t most = std::min<std::int64_t>(most_faces, request_.any_count ? request_.faces + request_.faces / 2
-                                                                                    : request_.faces);
+    const std::int64_t most =
+        std::min<std::int64_t>(most_faces, request_.any_count ? request_.faces + request_.faces / 2 : request_.faces);
     if (length > 40 || request_.faces > most || *std::max_element(request_.word.begin(), request_.word.end()) > 4 ||
         request_.node_limit <= 0)
-        return;
+        return false;
     int base = 0;
     for (std::size_t i = 0; i < request_.word.size(); ++i)
         base += request_.regular[i] != 0 && request_.regular[i] != request_.word[i];
     const int excess = index(request_.word);
-    const auto filler = std::make_shared<ExactFiller>(request_.node_limit);
+    const bool known = !candidates_.empty() &&
+                       (request_.any_count || candidates_.front().faces == request_.faces);
+    const int best = known ? candidates_.front().singularities : base + std::abs(excess) + 6;
+    ExactFiller filler(request_.node_limit);
     try {
-        for (int k = std::abs(excess); k <= std::abs(excess) + 4; k += 2) {
+        for (int k = std::abs(excess); base + k < best; k += 2) {
             const int v3 = (k + excess) / 2, v5 = (k - excess) / 2;
-            const FaceSet counts = filler->faces(request_.word, v3, v5, static_cast<int>(most));
-            std::int64_t best = -1;
+            const FaceSet counts = filler.faces(request_.word, v3, v5, static_cast<int>(most));
+            std::int64_t nearest = -1;
             for (std::int64_t f = 1; f <= most; ++f)
                 if (counts[static_cast<std::size_t>(f)] &&
-                    (best < 0 || std::abs(f - request_.faces) < std::abs(best - request_.faces)))
-                    best = f;
-            if (best < 0 || (!request_.any_count && best != request_.faces))
+                    (nearest < 0 || std::abs(f - request_.faces) < std::abs(nearest - request_.faces)))
+                    nearest = f;
+            if (nearest < 0 || (!request_.any_count && nearest != request_.faces))
                 continue;
             std::set<std::vector<std::array<int, 4>>> different;
             for (std::uint64_t seed = 0; seed < 6; ++seed) {
-                auto filling = filler->fill(request_.word, v3, v5, static_cast<int>(best), seed);
+                auto filling = filler.fill(request_.word, v3, v5, static_cast<int>(nearest), seed);
                 if (filling && different.insert(filling->quads).second)
-                    candidates_.push_back({best, base + k, 0.1 * static_cast<double>(seed),
+                    candidates_.push_back({nearest, base + k, 0.1 * static_cast<double>(seed),
                                            [f = std::move(*filling)] { return f; }});
             }
-            return;
+            return true;
         }
     } catch (const TooHard &) {
     }
+    return false;
 }
 
 void Planner::try_polygon(const Option &option, int singularities, std::size_t most) {
@@ -278,22 +325,64 @@ void Planner::try_flat(const Option &option, int singularities) {
         }
 }
 
+// Reads the stages that can have k singularities at best.
+void Planner::read_stages(int k) {
+    bool more = false;
+    for (Stage &stage : stages_)
+        if (!stage.read && stage.least <= k) {
+            stage.read = more = true;
+            add_readings(stage.front);
+        }
+    if (more)
+        std::stable_sort(options_.begin(), options_.end(), [](const Option &a, const Option &b) {
+            return a.least != b.least ? a.least < b.least : a.misfit < b.misfit;
+        });
+}
+
+// Whether a filling of the option with that many singularities inside can have the wanted
+// number of faces; exact where a closed form says so.
+bool Planner::reachable(const Option &option, int inside) const {
+    if (request_.any_count || option.corners.empty())
+        return true;
+    const std::int64_t faces = request_.faces - static_cast<std::int64_t>(option.front->quads.size());
+    const std::size_t n = option.sides.size();
+    auto near = [&](std::int64_t count) { return std::abs(count - faces) <= slack_; };
+    if (inside == 0)
+        return near(static_cast<std::int64_t>(option.sides[0]) * option.sides[1]);
+    if (inside == 1 && (n == 3 || n == 5))
+        return near(spoke_faces(*spokes(option.sides)));
+    if (inside == 2 && n == 4) {
+        const auto form = pair(option.sides);
+        if (!form)
+            return false;
+        const std::int64_t ends[] = {form->faces(1, 1), form->faces(1, form->most_v), form->faces(form->most_u, 1),
+                                     form->faces(form->most_u, form->most_v)};
+        return *std::min_element(ends, ends + 4) - slack_ <= faces && faces <= *std::max_element(ends, ends + 4) + slack_;
+    }
+    const auto surplus = static_cast<std::size_t>(option.changed + inside - option.least) / 2;
+    const double ratio = static_cast<double>(faces) / option.natural;
+    const Reach reach = reaches[n - 1][std::min<std::size_t>(surplus, 2)];
+    return reach.low <= ratio && ratio <= reach.high;
+}
+
 void Planner::template_fillings() {
-    if (options_.empty())
-        return;
-    const int limit = candidates_.empty() ? 1 << 20 : candidates_.front().singularities;
+    int first = 1 << 20;
+    for (const Stage &stage : stages_)
+        first = std::min(first, stage.least);
     for (slack_ = 0; slack_ <= request_.tolerance; slack_ += request_.tolerance) {
-        const int first = options_.front().least;
         int found_at = -1;
-        for (int k = first; k <= std::min(limit, first + 40); ++k) {
+        solves_ = 48;
+        for (int k = first; k <= first + 40 && solves_ > 0; ++k) {
+            read_stages(k);
             int tries = 0;
             for (const Option &option : options_) {
-                if (option.least > k)
-                    break;
+                const int surplus = k - option.least;
                 const bool flat = option.corners.empty();
-                if ((k - option.least) % 2 != 0 || k - option.least > (flat ? 8 : 4))
+                if (surplus < 0)
+                    break;
+                if (surplus % 2 != 0 || surplus > (flat ? 8 : 4) || !reachable(option, k - option.changed))
                     continue;
-                if (++tries > 24 || (found_at == k && static_cast<int>(candidates_.size()) >= request_.most))
+                if (++tries > 12 || --solves_ < 0 || (found_at == k && static_cast<int>(candidates_.size()) >= request_.most))
                     break;
                 if (flat)
                     try_flat(option, k);
@@ -302,9 +391,7 @@ void Planner::template_fillings() {
                 if (!candidates_.empty() && found_at < 0)
                     found_at = k;
             }
-            if (static_cast<int>(candidates_.size()) >= request_.most && found_at >= 0)
-                break;
-            if (found_at >= 0 && k >= found_at + 6)
+            if (found_at >= 0 && (static_cast<int>(candidates_.size()) >= request_.most || k >= found_at + 4))
                 break;
         }
         if (!candidates_.empty() || request_.any_count || request_.tolerance == 0)
@@ -330,6 +417,9 @@ void Planner::sort() {
 
 } // namespace
 
-std::vector<Candidate> plan(const Request &request) { return Planner(request).run(); }
+std::vector<Candidate> plan(const Request &request) {
+    std::vector<Candidate> candidates = Planner(request).run();
+    return candidates.empty() && !request.any_count ? plan_by_collapse(request) : candidates;
+}
 
 } // namespace alphamst::fill

@@ -14,12 +14,14 @@ struct Request {
     Word word;                  // letters that the mesh around and the boundary's shape want
     std::vector<int> regular;   // [word] letter that makes the vertex regular; 0: none counts
     std::vector<double> angles; // [word] interior angle in degrees; empty: combinatorics only
+    double least_sine = 0;      // of the angle that each face at a boundary vertex gets
     std::int64_t faces = 0;     // wanted
     bool any_count = false;     // fewest singularities first, faces only as near as possible
     std::int64_t tolerance = 2; // largest miss that is still offered when the count is not free
     int most = 16;              // candidates
-    std::int64_t node_limit = 20000;
+    std::int64_t node_limit = 4000;
     std::uint64_t seed = 0;
+    const Filling *old = nullptr; // what fills the word now; start of the fallback for few faces
 };
 
 struct Candidate {

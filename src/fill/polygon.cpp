@@ -1,6 +1,7 @@
 #include "fill/polygon.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -111,10 +112,11 @@ struct Steps {
 Steps steps(const Multiplicities &x, const Multiplicities &z) {
     Steps range{-1000000, 1000000};
     for (std::size_t j = 0; j < x.size(); ++j) {
+        const int spare = x[j] - 1; // entries of a move are -2 to 2: halving beats division
         if (z[j] > 0)
-            range.fewest = std::max<std::int64_t>(range.fewest, -((x[j] - 1) / z[j]));
+            range.fewest = std::max<std::int64_t>(range.fewest, -(spare >> (z[j] - 1)));
         else if (z[j] < 0)
-            range.most = std::min<std::int64_t>(range.most, (x[j] - 1) / -z[j]);
+            range.most = std::min<std::int64_t>(range.most, spare >> (-z[j] - 1));
     }
     return range;
 }
@@ -132,21 +134,8 @@ struct Change {
     std::int64_t at(std::int64_t t) const { return t * (g + t * q); }
 };
 
-Change change_along(const Layout &type, const Multiplicities &x, const Multiplicities &z) {
-    Change change{0, 0};
-    for (std::size_t a = 0; a < z.size(); ++a) {
-        if (z[a] == 0)
-            continue;
-        std::int64_t with_x = 0, with_z = 0;
-        for (std::size_t b = 0; b < z.size(); ++b) {
-            with_x += static_cast<std::int64_t>(type.product[a][b]) * x[b];
-            with_z += static_cast<std::int64_t>(type.product[a][b]) * z[b];
-        }
-        change.g += z[a] * with_x;
-        change.q += z[a] * with_z;
-    }
-    change.q /= 2;
-    return change;
+Change change_along(const Layout::Move &move, const Multiplicities &x) {
+    return {std::inner_product(x.begin(), x.end(), move.slope.begin(), std::int64_t{0}), move.curvature};
 }
 
 // Steps t in range nearest to F(t) = wanted: around the real roots or the vertex.
@@ -169,23 +158,31 @@ std::array<std::int64_t, 5> promising(Change change, std::int64_t wanted, Steps 
     return t;
 }
 
+// Climbs to where the product of the multiplicities is largest.
 void centre(const Layout &type, Multiplicities &x) {
-    for (int round = 0; round < 20; ++round) {
-        double best = evenness(x) + 1e-9;
-        Multiplicities next;
-        for (const Multiplicities &z : type.null_moves) {
-            const Steps range = steps(x, z);
-            for (const std::int64_t t : {-4, -2, -1, 1, 2, 4})
-                if (t >= range.fewest && t <= range.most) {
-                    Multiplicities y = moved(x, z, t);
-                    const double even = evenness(y);
-                    if (even > best)
-                        best = even, next = std::move(y);
+    for (int round = 0; round < 12; ++round) {
+        double best = 1 + 1e-9;
+        const Layout::Move *move = nullptr;
+        std::int64_t step = 0;
+        for (const Layout::Move &candidate : type.moves) {
+            const Steps range = steps(x, candidate.z);
+            for (const std::int64_t t : {-4, -1, 1, 4}) {
+                if (t < range.fewest || t > range.most)
+                    continue;
+                double gain = 1;
+                for (std::size_t j = 0; j < x.size(); ++j)
+                    if (candidate.z[j] != 0)
+                        gain *= static_cast<double>(x[j] + t * candidate.z[j]) / x[j];
+                if (gain > best) {
+                    best = gain;
+                    move = &candidate;
+                    step = t;
                 }
+            }
         }
-        if (next.empty())
+        if (move == nullptr)
             return;
-        x = std::move(next);
+        x = moved(x, move->z, step);
     }
 }
 
@@ -197,15 +194,16 @@ public:
 
     void run(Multiplicities x) {
         collect(x, face_count(type_, x));
-        for (int step = 0; step < query_.effort && !type_.null_moves.empty(); ++step) {
+        for (int step = 0; step < query_.effort && !type_.moves.empty(); ++step) {
             const std::int64_t faces = face_count(type_, x);
             std::int64_t nearest = std::abs(faces - query_.faces);
             Multiplicities best;
-            for (const Multiplicities &z : type_.null_moves) {
+            for (const Layout::Move &move : type_.moves) {
+                const Multiplicities &z = move.z;
                 const Steps range = steps(x, z);
                 if (range.fewest >= range.most)
                     continue;
-                const Change change = change_along(type_, x, z);
+                const Change change = change_along(move, x);
                 for (const std::int64_t t : promising(change, query_.faces - faces, range)) {
                     const std::int64_t reached = faces + change.at(t);
                     const std::int64_t miss = std::abs(reached - query_.faces);
@@ -221,7 +219,9 @@ public:
                 x = std::move(best);
                 continue;
             }
-            const auto &z = type_.null_moves[random_() % type_.null_moves.size()];
+            if (nearest > 8 + query_.faces / 16)
+                return; // the count is out of reach here
+            const auto &z = type_.moves[random_() % type_.moves.size()].z;
             const Steps range = steps(x, z);
             const auto width = static_cast<std::uint64_t>(range.most - range.fewest + 1);
             x = moved(x, z, range.fewest + static_cast<std::int64_t>(random_() % width));

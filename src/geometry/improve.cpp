@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/newton.h"
 #include "geometry/untangle.h"
@@ -10,25 +11,35 @@ namespace alphamst::geometry {
 
 namespace {
 
-constexpr double still = 2e-3;  // a vertex rests when it moves less, in wanted edge lengths
-constexpr double softest = 0.2; // first epsilon at corners that are hardly positive
+constexpr double still = 2e-3;         // a vertex rests when it moves less, in wanted edge lengths
+constexpr double softest = 0.2;        // first epsilon at corners that are hardly positive
+constexpr double least_square = 1e-12; // of the scaled Jacobian, while softened
 constexpr double squeezed_below = 0.1;
 constexpr double poor_band = 0.15;  // corners up to this above the worst are sharpened with it
 constexpr double least_gain = 2e-3; // of the smallest scaled Jacobian in a round of sharpening
 constexpr int sharpen_sweeps = 3;   // in a round
 
-// Smallest scaled Jacobian of the corners of a quad; of those that can change only, if asked.
-double scaled_jacobian(const Problem &problem, std::size_t q, const Points &points, bool movable) {
+// Smallest over the corners of a quad.
+struct Worst {
+    double scaled_jacobian = 1, determinant = std::numeric_limits<double>::infinity(); // over the wanted area
+
+    // A good shape may still be collapsed to nothing.
+    double openness() const { return std::min(scaled_jacobian, 10 * determinant); }
+};
+
+// Over all corners, or over those with a free vertex.
+Worst worst_of(const Problem &problem, std::size_t q, const Points &points, bool movable) {
     const auto &quad = problem.quads[q];
-    double worst = 1;
+    Worst worst;
     for (std::size_t k = 0; k < 4; ++k) {
         const auto c = static_cast<std::size_t>(quad[k]), n = static_cast<std::size_t>(quad[(k + 1) % 4]),
                    p = static_cast<std::size_t>(quad[(k + 3) % 4]);
         if (movable && problem.fixed[c] && problem.fixed[n] && problem.fixed[p])
             continue;
         const Eigen::Vector2d a = points[n] - points[c], b = points[p] - points[c];
-        const double lengths = a.squaredNorm() * b.squaredNorm();
-        worst = std::min(worst, lengths > 0 ? cross(a, b) / std::sqrt(lengths) : 0.0);
+        const double d = cross(a, b), lengths = a.squaredNorm() * b.squaredNorm();
+        worst.determinant = std::min(worst.determinant, d / problem.area[q]);
+        worst.scaled_jacobian = std::min(worst.scaled_jacobian, lengths > 0 ? d / std::sqrt(lengths) : 0.0);
     }
     return worst;
 }
@@ -37,15 +48,27 @@ bool good_enough(const Problem &problem, const Points &points, double wanted) {
     if (!(wanted > 0))
         return false;
     for (std::size_t q = 0; q < problem.quads.size(); ++q)
-        if (scaled_jacobian(problem, q, points, false) < wanted)
+        if (worst_of(problem, q, points, false).scaled_jacobian < wanted)
             return false;
     return true;
+}
+
+// Flags for the vertices of quads less open than `least`; empty if there are none.
+std::vector<char> tight_vertices(const Problem &problem, const Points &points, double least) {
+    std::vector<char> tight;
+    for (std::size_t q = 0; q < problem.quads.size(); ++q)
+        if (worst_of(problem, q, points, true).openness() < least) {
+            tight.resize(points.size(), 0);
+            for (const int v : problem.quads[q])
+                tight[static_cast<std::size_t>(v)] = 1;
+        }
+    return tight;
 }
 
 // False if it stopped because the result is good enough.
 bool sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
     Barrier barrier{.area = problem.area};
-    std::vector<char> awake(points.size());
+    std::vector<char> awake(points.size()), tight;
     std::transform(problem.fixed.begin(), problem.fixed.end(), awake.begin(),
                    [](char fixed) { return static_cast<char>(!fixed); });
     for (int sweep = 0; sweep < options.steps; ++sweep) {
@@ -53,6 +76,8 @@ bool sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &o
             return false;
         // Close to D = 0 Newton's method on 1/D creeps (D grows by half a step): soften first.
         const double soft = softest * std::pow(0.5, sweep);
+        if (sweep == 0 || !tight.empty())
+            tight = tight_vertices(problem, points, soft);
         bool moved = false;
         for (std::size_t v = 0; v < points.size(); ++v) {
             const auto star = problem.stars.at(static_cast<int>(v));
@@ -60,10 +85,9 @@ bool sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &o
                 continue;
             awake[v] = 0;
             double distance = 0;
-            const double worst = worst_corner(star, points, points[v]);
-            if (worst > 0 && worst < soft * soft) {
+            if (!tight.empty() && tight[v]) {
                 barrier.epsilon = soft;
-                distance = relax(barrier, star, points, static_cast<int>(v), std::max(floor, worst));
+                distance = relax(barrier, star, points, static_cast<int>(v), std::max(floor, least_square));
                 barrier.epsilon = 0;
             }
             distance = std::max(distance, relax(barrier, star, points, static_cast<int>(v), floor));
@@ -82,11 +106,11 @@ bool sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &o
 }
 
 // Corners squeezed between vertices that only move together: Newton's method on a region.
-void open_squeezed(const Problem &problem, Points &points) {
+void open_squeezed(const Problem &problem, Points &points, Floor floor) {
     std::vector<int> squeezed;
     double before = 1;
     for (std::size_t q = 0; q < problem.quads.size(); ++q)
-        if (const double s = scaled_jacobian(problem, q, points, true); s < squeezed_below) {
+        if (const double s = worst_of(problem, q, points, true).openness(); s < squeezed_below) {
             squeezed.push_back(static_cast<int>(q));
             before = std::min(before, s);
         }
@@ -96,7 +120,9 @@ void open_squeezed(const Problem &problem, Points &points) {
     const Region region(problem, squeezed, 3);
     newton(problem, region, other, 20, squeezed_below);
     for (const int q : region.quads)
-        if (!(scaled_jacobian(problem, static_cast<std::size_t>(q), other, true) > before))
+        if (const auto i = static_cast<std::size_t>(q);
+            !(worst_of(problem, i, other, true).openness() > before) ||
+            !(worst_of(problem, i, other, true).scaled_jacobian > std::sqrt(std::max(floor, 0.0))))
             return;
     points = std::move(other);
 }
@@ -109,7 +135,7 @@ void sharpen_worst(const Problem &problem, Points &points, const EmbedOptions &o
     for (int round = 0; round < options.steps; ++round) {
         double worst = 1;
         for (std::size_t q = 0; q < quality.size(); ++q)
-            worst = std::min(worst, quality[q] = scaled_jacobian(problem, q, points, true));
+            worst = std::min(worst, quality[q] = worst_of(problem, q, points, true).scaled_jacobian);
         if (!(worst > 0) || worst < before + least_gain || good_enough(problem, points, options.good_enough))
             return;
         before = worst;
@@ -135,7 +161,7 @@ void sharpen_worst(const Problem &problem, Points &points, const EmbedOptions &o
 void optimise(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
     if (!sweep_barrier(problem, points, options, floor))
         return;
-    open_squeezed(problem, points);
+    open_squeezed(problem, points, floor);
     sharpen_worst(problem, points, options, floor);
 }
 

@@ -22,7 +22,8 @@ static world new_world(int32_t base) {
     assert_int_equal(patch, base);
     must(amst_patches_add_rings(w.set, base + 9 * 11 + 8, 1, &patch));
     assert_int_equal(patch, base + 1);
-    must(amst_adapt(w.mesh, w.set, 2, NULL, &w.report));
+    assert_true(amst_adapt(w.mesh, w.set, 2, NULL, &w.report) >= 0); /* four faces may be too few */
+    assert_int_equal(result(w.report, base, AMST_RESULT_STATUS), AMST_OK);
     return w;
 }
 

@@ -1,0 +1,187 @@
+#include "fill/collapse.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <tuple>
+
+#include "fill/random.h"
+
+namespace alphamst::fill {
+namespace {
+
+// A filling under collapses: the vertex a of a quad (a, b, c, d) moves onto c, b and d lose the quad.
+class Collapser {
+public:
+    Collapser(const Request &request, std::uint64_t seed)
+        : request_(request), quads_(request.old->quads), alive_(quads_.size(), 1),
+          at_(static_cast<std::size_t>(request.old->vertices)), random_(seed) {
+        for (std::size_t q = 0; q < quads_.size(); ++q)
+            for (const int v : quads_[q])
+                at_[static_cast<std::size_t>(v)].push_back(q);
+        entry_.assign(quads_.size(), {5000, 0, 0, 0});
+        for (std::size_t q = 0; q < quads_.size(); ++q)
+            enter(q);
+    }
+
+    bool reach(std::int64_t faces) {
+        auto left = static_cast<std::int64_t>(quads_.size());
+        while (left > faces) {
+            if (queue_.empty())
+                return false;
+            const Entry best = *queue_.begin();
+            collapse(best.quad, best.corner);
+            --left;
+        }
+        return true;
+    }
+
+    Filling result() const {
+        Filling filling{request_.old->boundary, request_.old->boundary, {}};
+        std::vector<int> name(at_.size(), -1);
+        for (int v = 0; v < filling.boundary; ++v)
+            name[static_cast<std::size_t>(v)] = v;
+        for (std::size_t q = 0; q < quads_.size(); ++q) {
+            if (!alive_[q])
+                continue;
+            std::array<int, 4> quad{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                int &number = name[static_cast<std::size_t>(quads_[q][k])];
+                if (number < 0)
+                    number = filling.vertices++;
+                quad[k] = number;
+            }
+            filling.quads.push_back(quad);
+        }
+        return filling;
+    }
+
+    // Singular vertices as a request counts them.
+    int singularities() const {
+        int sum = 0;
+        for (std::size_t v = 0; v < at_.size(); ++v) {
+            const int faces = static_cast<int>(at_[v].size());
+            if (inside(v))
+                sum += faces != 0 && faces != 4;
+            else
+                sum += request_.regular[v] != 0 && faces != request_.regular[v];
+        }
+        return sum;
+    }
+
+private:
+    struct Entry {
+        int cost;
+        std::uint64_t tie;
+        std::size_t quad, corner;
+        bool operator<(const Entry &other) const {
+            return std::tie(cost, tie, quad) < std::tie(other.cost, other.tie, other.quad);
+        }
+    };
+
+    bool inside(std::size_t v) const { return v >= static_cast<std::size_t>(request_.old->boundary); }
+
+    int penalty(std::size_t v, int faces) const {
+        const int off = faces - (inside(v) ? 4 : request_.word[v]);
+        const int few = inside(v) ? 3 : 1, least = !inside(v) && !request_.angles.empty()
+                                                       ? static_cast<int>(request_.angles[v] / 175) + 1
+                                                       : few;
+        return off * off + (faces < least ? 1000 : 0);
+    }
+
+    bool neighbours_only_share(std::size_t a, std::size_t c, int b, int d) const {
+        std::vector<int> first, second, both;
+        for (const std::size_t v : {a, c}) {
+            auto &list = v == a ? first : second;
+            for (const std::size_t q : at_[v])
+                for (std::size_t k = 0; k < 4; ++k)
+                    if (quads_[q][k] == static_cast<int>(v)) {
+                        list.push_back(quads_[q][(k + 1) % 4]);
+                        list.push_back(quads_[q][(k + 3) % 4]);
+                    }
+            std::sort(list.begin(), list.end());
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+        }
+        std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
+        return both.size() == 2 && std::find(both.begin(), both.end(), b) != both.end() &&
+               std::find(both.begin(), both.end(), d) != both.end();
+    }
+
+    // Cost of moving corner k of quad q onto the opposite one; 1000 and more: not allowed.
+    int cost(std::size_t q, std::size_t k) const {
+        const auto corner = [&](std::size_t i) { return static_cast<std::size_t>(quads_[q][(k + i) % 4]); };
+        const std::size_t a = corner(0), b = corner(1), c = corner(2), d = corner(3);
+        if (!inside(a) || (inside(c) && c < a))
+            return 5000;
+        const auto faces = [&](std::size_t v) { return static_cast<int>(at_[v].size()); };
+        const int merged = faces(a) + faces(c) - 2;
+        int sum = penalty(c, merged) - penalty(a, faces(a)) - penalty(c, faces(c));
+        for (const std::size_t v : {b, d})
+            sum += penalty(v, faces(v) - 1) - penalty(v, faces(v));
+        if (sum >= 500 || !neighbours_only_share(a, c, static_cast<int>(b), static_cast<int>(d)))
+            return 5000;
+        return sum;
+    }
+
+    void enter(std::size_t q) {
+        if (entry_[q].cost < 1000)
+            queue_.erase(entry_[q]);
+        entry_[q] = {5000, 0, q, 0};
+        if (!alive_[q])
+            return;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int here = cost(q, k);
+            if (here < entry_[q].cost)
+                entry_[q] = {here, random_(), q, k};
+        }
+        if (entry_[q].cost < 1000)
+            queue_.insert(entry_[q]);
+    }
+
+    void collapse(std::size_t q, std::size_t k) {
+        const auto a = static_cast<std::size_t>(quads_[q][k]), c = static_cast<std::size_t>(quads_[q][(k + 2) % 4]);
+        alive_[q] = 0;
+        for (const int v : quads_[q])
+            std::erase(at_[static_cast<std::size_t>(v)], q);
+        for (const std::size_t r : at_[a]) {
+            std::replace(quads_[r].begin(), quads_[r].end(), static_cast<int>(a), static_cast<int>(c));
+            at_[c].push_back(r);
+        }
+        at_[a].clear();
+        std::set<std::size_t> changed{q};
+        for (const std::size_t corner : {c, static_cast<std::size_t>(quads_[q][(k + 1) % 4]),
+                                         static_cast<std::size_t>(quads_[q][(k + 3) % 4])})
+            for (const std::size_t r : at_[corner])
+                for (const int v : quads_[r])
+                    changed.insert(at_[static_cast<std::size_t>(v)].begin(), at_[static_cast<std::size_t>(v)].end());
+        for (const std::size_t r : changed)
+            enter(r);
+    }
+
+    const Request &request_;
+    std::vector<std::array<int, 4>> quads_;
+    std::vector<char> alive_;
+    std::vector<std::vector<std::size_t>> at_; // quads at each vertex
+    std::vector<Entry> entry_{};
+    std::set<Entry> queue_;
+    Random random_;
+};
+
+} // namespace
+
+std::vector<Candidate> plan_by_collapse(const Request &request) {
+    std::vector<Candidate> candidates;
+    if (request.old == nullptr || static_cast<std::int64_t>(request.old->quads.size()) <= request.faces)
+        return candidates;
+    for (int round = 0; round < request.most; ++round) {
+        Collapser collapser(request, request.seed + 1000003 * static_cast<std::uint64_t>(round));
+        if (collapser.reach(request.faces))
+            candidates.push_back({request.faces, collapser.singularities(), 0.01 * round,
+                                  [filling = collapser.result()] { return filling; }});
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate &a, const Candidate &b) { return a.singularities < b.singularities; });
+    return candidates;
+}
+
+} // namespace alphamst::fill
