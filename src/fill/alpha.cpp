@@ -43,8 +43,10 @@ public:
                     pair_core(b);
                     changed_sides(b, 1);
                     pentagon_core(b);
-                } else if (level == 8)
+                } else if (level == 8) {
                     changed_sides(b, 2);
+                    hexagon_core(b);
+                }
                 else if (level == 12)
                     changed_sides(b, 4);
             }
@@ -125,6 +127,19 @@ private:
                 sides.push_back(h[(i + 4) % 5] + h[(i + 1) % 5]);
             add_rings(sides, b, 1, inner, 1 + thinness(h));
         }
+    }
+
+    // N = 6 with nearly even sides and two valence-5 vertices inside.
+    void hexagon_core(int b) {
+        const std::int64_t p = query_.perimeter, inner = query_.faces - ring_faces(b, query_.perimeter);
+        if (p < 18 || 32 * inner < p * p || 20 * inner > p * p) // out of reach of such a core
+            return;
+        Sides sides(6);
+        for (std::size_t i = 0, left = static_cast<std::size_t>(p); i < 6; ++i) {
+            sides[i] = static_cast<int>(left / (6 - i));
+            left -= static_cast<std::size_t>(sides[i]);
+        }
+        add_rings(sides, b, 2, inner, 2);
     }
 
     // `changed` transitions of a rectangular core gain or lose 2 kappa edges through a

@@ -421,7 +421,10 @@ FaceSet ExactFiller::faces(const Word &word, int v3, int v5, int most) {
     const auto [low, high] = std::minmax_element(word.begin(), word.end());
     if (length > longest_word || *low < 1 || *high > 4 || most > most_faces)
         throw TooHard{};
-    return memory_->solve(word, {v3, v5}, most);
+    FaceSet within; // counts remembered from a wider search do not belong to the answer
+    for (int f = 0; f <= most; ++f)
+        within.set(static_cast<std::size_t>(f));
+    return memory_->solve(word, {v3, v5}, most) & within;
 }
 
 std::optional<Filling> ExactFiller::fill(const Word &word, int v3, int v5, int faces, std::uint64_t seed) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "fill/exact.h"
 #include "oracle.h"
 
@@ -80,8 +82,9 @@ TEST(ClosedForm, RingsAroundACore) {
             for (int b = 1; c * (p / 2 - c) + ring_faces(b, p) <= most; ++b)
                 EXPECT_TRUE(counts.count(c * (p / 2 - c) + ring_faces(b, p))) << p << " " << c << " " << b;
         for (const std::int64_t f : counts) // a ring can always be added
-            if (f + ring_faces(1, p) <= most)
+            if (f + ring_faces(1, p) <= most) {
                 EXPECT_TRUE(counts.count(f + ring_faces(1, p)));
+            }
     }
 }
 
@@ -101,16 +104,18 @@ TEST(ClosedForm, LeastSingularitiesOfSmallSidesIsTheBruteForce) {
         const bool two = !rectangle && shortest >= 2 && 2 * longest <= total - 4;
         const int brute = oracle::least(oracle::polygon(sides), 2, 40);
         EXPECT_EQ(brute, rectangle ? 0 : two ? 2 : -1) << testing::PrintToString(sides);
-        if (brute >= 0)
+        if (brute >= 0) {
             EXPECT_EQ(least_singularities(sides), brute) << testing::PrintToString(sides);
+        }
     }
     for (int n = 6; n <= 10; n += 2)
         EXPECT_EQ(oracle::least(oracle::polygon({n}), 3, 40), 3);
     EXPECT_EQ(oracle::least(oracle::polygon({4}), 3, 40), -1);
     for (int n0 = 1; n0 <= 6; ++n0)
         for (int n1 = n0; n1 <= 6; ++n1)
-            if ((n0 + n1) % 2 == 0 && n0 + n1 >= 4)
+            if ((n0 + n1) % 2 == 0 && n0 + n1 >= 4) {
                 EXPECT_EQ(oracle::least(oracle::polygon({n0, n1}), 2, 40), n0 >= 3 ? 2 : -1) << n0 << " " << n1;
+            }
     EXPECT_EQ(least_singularities({6}), 3);
     EXPECT_EQ(least_singularities({3, 5}), 2);
     EXPECT_EQ(least_singularities({3, 4}), -1);

@@ -59,7 +59,7 @@ TEST(Exact, EqualsTheBruteForceOnRandomWords) {
                 for (std::uint64_t seed = 0; seed < 3; ++seed)
                     expect_fills(filler, word, count, seed);
     }
-    EXPECT_GT(counts, 500u); // words that can be filled are among them
+    EXPECT_GT(counts, 300u); // words that can be filled are among them
 }
 
 TEST(Exact, EqualsTheBruteForceOnGridRegions) {
