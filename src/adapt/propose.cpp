@@ -64,7 +64,7 @@ public:
     // Fillings to try, best first; entries are different in numbers or shape.
     std::vector<fill::Candidate> candidates() const {
         if (!goal_.keep_quality)
-            return fill::plan(request());
+            return ragged() && !goal_.any_count ? ragged_candidates() : fill::plan(request());
         // A smallest scaled Jacobian that is already good is seldom reached again next to a
         // boundary that cannot move: there a rim of faces stays.
         constexpr double good = 0.6;
@@ -74,6 +74,19 @@ public:
         for (int layers = 1; layers <= 2; ++layers)
             for (fill::Candidate &candidate : inner_candidates(layers))
                 list.push_back(std::move(candidate));
+        return list;
+    }
+
+    // The boundary is so long for the faces in it that few templates follow its turns.
+    bool ragged() const { return window.loop.size() * window.loop.size() > 64 * window.faces.size(); }
+
+    // What is closest to the present filling first: next to a ragged boundary it is hard to better.
+    std::vector<fill::Candidate> ragged_candidates() const {
+        std::vector<fill::Candidate> list = inner_candidates(1);
+        if (list.empty() || list.front().faces != goal_.faces)
+            list = fill::plan_by_collapse(request());
+        for (fill::Candidate &candidate : fill::plan(request()))
+            list.push_back(std::move(candidate));
         return list;
     }
 

@@ -1,8 +1,8 @@
 #include "geometry/barrier.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <limits>
 
 namespace alphamst::geometry {
@@ -99,6 +99,47 @@ double corner_value(const Barrier &barrier, const Eigen::Vector4d &edges, double
     return c > 0 ? n / c : infinite;
 }
 
+namespace {
+
+// The Hessian diagonal + bilinear M + square dd dd' - slope (n dd' + dd n'), where M is the
+// (constant) Hessian of the determinant.
+struct Parts {
+    Eigen::Vector4d edges, dd, n;
+    double diagonal, square, slope, bilinear;
+};
+
+// M has eigenvalues 1 and -1, twice each, and dd and n lie in the span of the edges' parts in
+// its two eigenspaces. So the eigenvectors are known up to a rotation in that span, and
+// negative eigenvalues are cut off in closed form.
+Eigen::Matrix4d projected_hessian(const Parts &h) {
+    const double half = 1 / std::numbers::sqrt2;
+    Eigen::Matrix4d basis; // eigenvectors of M: 1, 1, -1, -1; the first of each along the edges
+    basis << 1, 0, 1, 0, 0, 1, 0, 1, 0, -1, 0, 1, 1, 0, -1, 0;
+    basis *= half;
+    for (Eigen::Index pair = 0; pair < 4; pair += 2) {
+        const Eigen::Vector2d along = basis.middleCols<2>(pair).transpose() * h.edges;
+        if (along.norm() > 0) {
+            Eigen::Matrix2d turn;
+            turn << along[0], -along[1], along[1], along[0];
+            basis.middleCols<2>(pair) = (basis.middleCols<2>(pair) * turn / along.norm()).eval();
+        }
+    }
+    const double dp = basis.col(0).dot(h.dd), dq = basis.col(2).dot(h.dd);
+    const double np = basis.col(0).dot(h.n), nq = basis.col(2).dot(h.n);
+    const double pp = h.diagonal + h.bilinear + h.square * dp * dp - 2 * h.slope * np * dp;
+    const double qq = h.diagonal - h.bilinear + h.square * dq * dq - 2 * h.slope * nq * dq;
+    const double pq = h.square * dp * dq - h.slope * (np * dq + dp * nq);
+    const double angle = 0.5 * std::atan2(2 * pq, pp - qq), c = std::cos(angle), s = std::sin(angle);
+    const double mean = (pp + qq) / 2, radius = std::hypot((pp - qq) / 2, pq);
+    const Eigen::Vector4d high = c * basis.col(0) + s * basis.col(2), low = c * basis.col(2) - s * basis.col(0);
+    auto cut = [](double value) { return std::max(value, 0.0); };
+    return cut(mean + radius) * high * high.transpose() + cut(mean - radius) * low * low.transpose() +
+           cut(h.diagonal + h.bilinear) * basis.col(1) * basis.col(1).transpose() +
+           cut(h.diagonal - h.bilinear) * basis.col(3) * basis.col(3).transpose();
+}
+
+} // namespace
+
 CornerExpansion expand_corner(const Barrier &barrier, const Eigen::Vector4d &edges, double wanted_area) {
     const double k = (1 - barrier.theta) / wanted_area, theta = barrier.theta;
     const double d = (edges[0] * edges[3] - edges[1] * edges[2]) / wanted_area;
@@ -111,19 +152,8 @@ CornerExpansion expand_corner(const Barrier &barrier, const Eigen::Vector4d &edg
     CornerExpansion e;
     e.value = v;
     e.gradient = n - v * slope * dd;
-    e.hessian = k * r * Eigen::Matrix4d::Identity() +
-                (theta * r + 2 * v * slope * slope) * dd * dd.transpose() -
-                slope * (n * dd.transpose() + dd * n.transpose());
-    // The determinant is bilinear in the edges: the one indefinite part.
-    const double bilinear = (theta * d * r - v * slope) / wanted_area;
-    e.hessian(0, 3) += bilinear;
-    e.hessian(3, 0) += bilinear;
-    e.hessian(1, 2) -= bilinear;
-    e.hessian(2, 1) -= bilinear;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(e.hessian);
-    if (eigen.eigenvalues()[0] < 0)
-        e.hessian = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-                    eigen.eigenvectors().transpose();
+    e.hessian = projected_hessian({edges, dd, n, k * r, theta * r + 2 * v * slope * slope, slope,
+                                   (theta * d * r - v * slope) / wanted_area});
     return e;
 }
 

@@ -98,6 +98,50 @@ TEST(Exact, EqualsTheBruteForceWithLettersUpToFour) {
     EXPECT_GT(counts, 50u);
 }
 
+// With the fewest singularities and with two more.
+std::size_t expect_equal(const Word &word, int most) {
+    const int excess = oracle::excess(word);
+    std::size_t counts = 0;
+    for (int k = std::abs(excess); k <= std::abs(excess) + 2; k += 2) {
+        const int v3 = (k + excess) / 2, v5 = (k - excess) / 2;
+        std::set<oracle::Count> expected, got;
+        for (const oracle::Count &count : oracle::BruteForce(word, v3, v5, most).all())
+            if (count.v3 == v3)
+                expected.insert(count);
+        ExactFiller filler(2000000);
+        const FaceSet faces = filler.faces(word, v3, v5, most);
+        for (int f = 0; f <= most; ++f)
+            if (faces[static_cast<std::size_t>(f)])
+                got.insert({v3, v5, f});
+        EXPECT_EQ(got, expected) << testing::PrintToString(word);
+        counts += expected.size();
+    }
+    return counts;
+}
+
+// Words whose fillings pass between two front vertices, some right beside the corner.
+TEST(Exact, EqualsTheBruteForceOnPinchedWords) {
+    for (const Word &word : {Word{3, 1, 2, 4, 3, 2, 2, 3, 2, 2, 2, 1}, Word{1, 2, 1, 2, 2, 1, 2, 2, 2, 3, 3, 4},
+                             Word{2, 1, 2, 2, 2, 1, 2, 3, 2, 2, 3, 4}, Word{3, 1, 2, 4, 1, 2, 2, 2, 1, 2, 2, 4, 2, 2},
+                             Word{2, 2, 2, 2, 2, 1, 3, 2, 2, 4, 3, 2}, Word{4, 2, 2, 2, 2, 3, 1, 3, 2, 2},
+                             Word{2, 2, 1, 3, 2, 2, 4, 2, 2, 3}, Word{2, 2, 4, 2, 2, 2, 3, 1, 2, 3}})
+        EXPECT_GT(expect_equal(word, 14), 0u) << testing::PrintToString(word);
+}
+
+TEST(Exact, EqualsTheBruteForceWithoutCorners) {
+    std::mt19937 random(25);
+    std::size_t counts = 0;
+    for (int round = 0; round < 60; ++round) {
+        Word word(4 + 2 * (random() % 4));
+        for (int &letter : word)
+            letter = random() % 3 == 0 ? 3 + static_cast<int>(random() % 2) : 2;
+        counts += expect_equal(word, 14);
+    }
+    for (const std::size_t length : {4, 6, 8})
+        counts += expect_equal(Word(length, 2), 18);
+    EXPECT_GT(counts, 60u);
+}
+
 TEST(Exact, TurnsAndMirrorsKeepTheFaceSet) {
     std::mt19937 random(4);
     for (int round = 0; round < 30; ++round) {
