@@ -22,7 +22,7 @@ struct Settings {
     std::uint64_t seed = 0;
     int smooth_steps = 20;
     int candidates = 16;             // fillings to try in a patch before it is left
-    std::int64_t node_limit = 4000;  // effort of one exact search
+    std::int64_t node_limit = 1000;  // effort of one exact search
     double min_quality = 0;          // a filling must have a larger scaled Jacobian
     int threads = 1;                 // 0: all cores
 };

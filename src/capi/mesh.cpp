@@ -1,7 +1,9 @@
 // What a mesh is asked, and its points.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <string>
 
 #include "capi/array.h"
@@ -13,20 +15,9 @@ namespace alphamst::capi {
 namespace {
 
 static_assert(sizeof(OpenMesh::Vec3d) == 3 * sizeof(double), "points are copied as packed rows");
+static_assert(sizeof(std::array<int, 4>) == 4 * sizeof(amst_id), "faces are copied as packed rows");
 
 const mesh::QuadMesh &current(const amst_mesh *mesh) { return *required(mesh, "mesh").impl->current; }
-
-// The corners of a face as QuadMesh::corners has them, but read from both ends at once:
-// of half the latency, which is all that counts when a whole mesh is copied out.
-void write_corners(const mesh::Kernel &kernel, int face, int base, amst_id *out) {
-    using Halfedge = mesh::Kernel::HalfedgeHandle;
-    const Halfedge first = kernel.halfedge_handle(mesh::Kernel::FaceHandle(face));
-    const Halfedge next = kernel.next_halfedge_handle(first), last = kernel.prev_halfedge_handle(first);
-    out[0] = capi::out(base, kernel.to_vertex_handle(first).idx());
-    out[1] = capi::out(base, kernel.to_vertex_handle(next).idx());
-    out[2] = capi::out(base, kernel.from_vertex_handle(last).idx());
-    out[3] = capi::out(base, kernel.to_vertex_handle(last).idx());
-}
 
 // Writes the numbers of two vertices or faces for each edge.
 template <typename Pair>
@@ -132,12 +123,17 @@ amst_status amst_mesh_set_points(amst_mesh *mesh, const double *points, std::int
 amst_status amst_mesh_get_faces(const amst_mesh *mesh, amst_id *out, std::int64_t capacity,
                                 std::int64_t *needed) {
     return guarded(index_base(mesh), [&] {
-        const mesh::QuadMesh &asked = current(mesh);
-        if (!answer(out, capacity, needed, std::int64_t{4} * asked.n_faces()))
+        const std::span<const std::array<int, 4>> faces = current(mesh).faces();
+        if (!answer(out, capacity, needed, static_cast<std::int64_t>(4 * faces.size())) || faces.empty())
             return;
         const int base = index_base(mesh);
-        for (int f = 0; f < asked.n_faces(); ++f, out += 4)
-            write_corners(asked.kernel(), f, base, out);
+        if (base == 0) {
+            std::memcpy(out, faces.data(), faces.size_bytes());
+            return;
+        }
+        for (const std::array<int, 4> &corners : faces)
+            for (const int corner : corners)
+                *out++ = capi::out(base, corner);
     });
 }
 

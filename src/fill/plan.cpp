@@ -286,8 +286,9 @@ void Planner::try_polygon(const Option &option, int singularities, std::size_t m
     query.most_faces = highest() - laid;
     query.faces = request_.faces - laid;
     query.seed = random_();
-    query.effort = request_.any_count ? 3 : 12;
-    query.enough = 8;
+    query.effort = request_.any_count ? 3 : 8;
+    query.enough = 6;
+    query.walks = 16;
     const int boundary = static_cast<int>(request_.word.size());
     for (Template &t : solve(query, most)) {
         double mean = t.evenness / static_cast<double>(t.x.size()), spread = 0;

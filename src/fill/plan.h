@@ -19,7 +19,7 @@ struct Request {
     bool any_count = false;     // fewest singularities first, faces only as near as possible
     std::int64_t tolerance = 2; // largest miss that is still offered when the count is not free
     int most = 16;              // candidates
-    std::int64_t node_limit = 4000;
+    std::int64_t node_limit = 1000;
     std::uint64_t seed = 0;
     const Filling *old = nullptr; // what fills the word now; start of the fallback for few faces
 };

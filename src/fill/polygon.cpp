@@ -273,7 +273,7 @@ std::vector<Template> solve(const PolygonQuery &query, std::size_t most) {
     std::vector<Template> all;
     const int n = static_cast<int>(query.sides.size());
     std::uint64_t seed = query.seed;
-    int exact = 0;
+    int exact = 0, walks = 0;
     for (const Layout &type : types(n, query.singularities)) {
         std::vector<Sides> tried;
         for (int mirror = 0; mirror < 2; ++mirror)
@@ -286,6 +286,8 @@ std::vector<Template> solve(const PolygonQuery &query, std::size_t most) {
                 if (!x)
                     continue;
                 centre(type, *x);
+                if (walks++ >= query.walks && (!all.empty() || query.fewest_faces == query.most_faces))
+                    return best(query, std::move(all), most);
                 Walk walk(type, query, ++seed);
                 walk.run(std::move(*x));
                 for (Template &t : walk.found) {

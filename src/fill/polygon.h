@@ -28,6 +28,7 @@ struct PolygonQuery {
     std::uint64_t seed = 0;
     int effort = 40; // steps of the search for the face count in each type
     int enough = 24; // templates with exactly `faces` faces after which the search ends
+    int walks = 1 << 20; // types and turns that are searched for the count; more if none is in range
 };
 
 // Templates that answer the query, nearest face count first, then the most even ones;

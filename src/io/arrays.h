@@ -26,8 +26,8 @@ struct Arrays {
 // binary variant not known), not_quad (a face that is not a quadrilateral),
 // range (a corner that is not a vertex of the file), not_finite.
 Arrays read(const std::string &path);
-// Markers are kept by .msh alone; it is written as MSH 2.2. A failed write leaves the
-// file that was there. Throws likewise, and argument if the arrays do not fit together.
+// Markers are kept by .msh, which is written as MSH 2.2, and .vtk. A failed write leaves
+// the file that was there. Throws likewise, and argument if the arrays do not fit together.
 void write(const std::string &path, const Arrays &mesh);
 
 } // namespace alphamst::io

@@ -23,7 +23,8 @@ Arrays parse_ply(std::string_view bytes);
 Arrays parse_msh(std::string_view bytes);
 Arrays parse_vtk(std::string_view bytes);
 
-// OFF, OBJ, PLY and VTK have no place for markers and drop them.
+// OFF, OBJ and PLY have no place for markers and drop them; VTK has them as the scalars
+// "marker" of its cells, marked edges being lines.
 std::string print_off(const Arrays &mesh);
 std::string print_obj(const Arrays &mesh);
 std::string print_ply(const Arrays &mesh); // ASCII

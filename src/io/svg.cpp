@@ -226,10 +226,13 @@ void write_svg(const std::string &path, const Picture &picture) {
                                         {picture.singular5, "#d0222c", "valence 5"},
                                         {picture.singular_other, "#222", "other"}}};
 
+    const std::string corner = std::to_string(-margin), full_width = std::to_string(width + 2 * margin),
+                      full_height = std::to_string(drawing.height + 2 * margin + legend_height);
     std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
-    text += std::to_string(-margin) + " " + std::to_string(-margin) + " " +
-            std::to_string(width + 2 * margin) + " " +
-            std::to_string(drawing.height + 2 * margin + legend_height) + "\">\n";
+    text += corner + " " + corner + " " + full_width + " " + full_height + "\">\n";
+    // Its own white paper, or a dark page would swallow lines and letters.
+    text += "<rect x=\"" + corner + "\" y=\"" + corner + "\" width=\"" + full_width + "\" height=\"" +
+            full_height + "\" fill=\"#fff\"/>\n";
     text += "<path fill=\"#f2f0e6\" stroke=\"#888\" stroke-linejoin=\"round\" stroke-width=\"" +
             std::to_string(stroke) + "\" d=\"" + faces_path(mesh, drawing) + "\"/>\n";
     if (!picture.outlines.empty())

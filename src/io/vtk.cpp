@@ -1,9 +1,10 @@
 // Legacy VTK (Schroeder, Martin and Lorensen 2006; the layout of cells of version
 // 5.1 after Kitware's file format pages): UNSTRUCTURED_GRID and POLYDATA, ASCII
-// and binary. Vertices and lines are passed over, and so is everything from the
-// first POINT_DATA or CELL_DATA on.
+// and binary. The whole numbers "marker" of the cells are the region numbers of faces
+// and make marked edges of lines; other data, vertices and other lines are passed over.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 #include "io/formats.h"
@@ -55,8 +56,10 @@ struct Cells {
 };
 
 // VTK's cell types.
-constexpr std::int64_t vertex_cell = 1, poly_line_cell = 4, triangle_cell = 5, polygon_cell = 7,
-                       pixel_cell = 8, quad_cell = 9;
+constexpr std::int64_t vertex_cell = 1, line_cell = 3, poly_line_cell = 4, triangle_cell = 5,
+                       polygon_cell = 7, pixel_cell = 8, quad_cell = 9;
+
+constexpr std::string_view marker_name = "marker";
 
 class Reader {
 public:
@@ -66,13 +69,16 @@ public:
         read_header();
         while (!scan_.at_end()) {
             const std::string_view keyword = scan_.word();
-            if (same_word(keyword, "POINT_DATA") || same_word(keyword, "CELL_DATA"))
+            if (is_attributes(keyword)) {
+                read_attributes(keyword);
                 break;
+            }
             if (same_word(keyword, "METADATA"))
                 skip_metadata();
-            else if (same_word(keyword, "FIELD"))
-                skip_field();
-            else if (same_word(keyword, "POINTS"))
+            else if (same_word(keyword, "FIELD")) {
+                if (!read_field(false))
+                    scan_.fail(Fault::unsupported, "a field of this type is not read");
+            } else if (same_word(keyword, "POINTS"))
                 read_points();
             else if (grid_ ? !read_grid_part(keyword) : !read_polydata_part(keyword))
                 scan_.malformed(quoted(keyword) + " is not a keyword of this data set");
@@ -83,6 +89,7 @@ public:
             scan_.malformed(grid_ ? "the file has no CELLS" : "the file has no POLYGONS, LINES or VERTICES");
         if (grid_)
             add_grid();
+        add_markers();
         return finished(std::move(mesh_));
     }
 
@@ -166,28 +173,98 @@ private:
         }
     }
 
-    void skip_field() {
+    // The arrays of a field; false if one is of a type that cannot even be skipped.
+    bool read_field(bool of_cells) {
         scan_.word(); // its name
         const std::int64_t n_arrays = scan_.count("arrays", 4);
         for (std::int64_t a = 0; a < n_arrays; ++a) {
-            if (same_word(scan_.word(), "METADATA")) {
+            std::string_view name = scan_.word();
+            if (same_word(name, "METADATA")) {
                 skip_metadata();
-                scan_.word();
+                name = scan_.word();
             }
             const std::int64_t width = scan_.count("components", 1), length = scan_.count("tuples", 1);
-            const std::string_view name = scan_.word();
-            const std::optional<Type> type = find_type(name);
+            const std::optional<Type> type = find_type(scan_.word());
             if (!type || type->size == 0)
-                scan_.fail(Fault::unsupported, "a field of type " + quoted(name) + " is not read");
+                return false;
             begin_values();
-            const std::int64_t n = width * length;
-            scan_.expect(n, "values", least(*type));
-            if (binary_)
-                scan_.take(static_cast<std::size_t>(n) * type->size);
-            else
-                for (std::int64_t i = 0; i < n; ++i)
-                    scan_.word();
+            read_values(*type, width, length, of_cells && name == marker_name);
         }
+        return true;
+    }
+
+    // From exactly here; only single whole numbers can be markers.
+    void read_values(Type type, std::int64_t width, std::int64_t length, bool wanted) {
+        const std::int64_t n = width * length;
+        scan_.expect(n, "values", least(type));
+        if (wanted && width == 1 && type.kind != Kind::real) {
+            markers_.emplace(static_cast<std::size_t>(n));
+            for (std::int32_t &marker : *markers_) {
+                const std::int64_t value = integer(type);
+                marker = static_cast<std::int32_t>(value);
+                if (marker != value)
+                    scan_.fail(Fault::unsupported,
+                               "the marker " + std::to_string(value) + " does not fit in 32 bits");
+            }
+        } else if (binary_) {
+            scan_.take(static_cast<std::size_t>(n) * type.size);
+        } else {
+            for (std::int64_t i = 0; i < n; ++i)
+                scan_.word();
+        }
+    }
+
+    static bool is_attributes(std::string_view keyword) {
+        return same_word(keyword, "POINT_DATA") || same_word(keyword, "CELL_DATA");
+    }
+
+    // To the end of the file, or up to the first thing that is not known: all that counts
+    // for the mesh itself came before.
+    void read_attributes(std::string_view keyword) {
+        std::int64_t n = 0;
+        bool of_cells = false;
+        for (;; keyword = scan_.word()) {
+            if (is_attributes(keyword)) {
+                n = scan_.integer();
+                of_cells = same_word(keyword, "CELL_DATA");
+            } else if (same_word(keyword, "METADATA")) {
+                skip_metadata();
+            } else if (!(same_word(keyword, "FIELD") ? read_field(of_cells)
+                                                     : read_attribute(keyword, n, of_cells))) {
+                return;
+            }
+            if (scan_.at_end())
+                return;
+        }
+    }
+
+    bool read_attribute(std::string_view keyword, std::int64_t n, bool of_cells) {
+        struct Attribute {
+            std::string_view keyword;
+            std::int64_t width;
+        };
+        static constexpr std::array<Attribute, 6> attributes{{{"SCALARS", 1},
+                                                              {"VECTORS", 3},
+                                                              {"NORMALS", 3},
+                                                              {"TENSORS", 9},
+                                                              {"GLOBAL_IDS", 1},
+                                                              {"PEDIGREE_IDS", 1}}};
+        const auto attribute = std::find_if(attributes.begin(), attributes.end(), [&](const Attribute &a) {
+            return same_word(a.keyword, keyword);
+        });
+        if (attribute == attributes.end())
+            return false;
+        const std::string_view name = scan_.word();
+        const std::optional<Type> type = find_type(scan_.word());
+        if (!type || type->size == 0)
+            return false;
+        const std::int64_t width = scan_.at_line_end() ? attribute->width : scan_.count("components", 1);
+        scan_.line();
+        if (scan_.ahead("LOOKUP_TABLE") || scan_.ahead("lookup_table"))
+            scan_.line();
+        scan_.expect(n, "values", 1);
+        read_values(*type, width, n, of_cells && name == marker_name);
+        return true;
     }
 
     void read_points() {
@@ -268,8 +345,10 @@ private:
         } else if (same_word(keyword, "TRIANGLE_STRIPS")) {
             if (read_cells().size() > 0)
                 scan_.fail(Fault::not_quad, "face {} is in a strip of triangles", Entity::face, {n_faces()});
-        } else if (same_word(keyword, "VERTICES") || same_word(keyword, "LINES")) {
-            read_cells();
+        } else if (same_word(keyword, "VERTICES")) {
+            n_vertex_cells_ = read_cells().size();
+        } else if (same_word(keyword, "LINES")) {
+            cells_ = read_cells();
         } else {
             return false;
         }
@@ -303,12 +382,51 @@ private:
         mesh_.faces.insert(mesh_.faces.end(), quad.begin(), quad.end());
     }
 
+    // Cells of a grid are as in the file; those of POLYDATA are vertices, lines and faces,
+    // in whatever order they came.
+    void add_markers() {
+        if (!markers_)
+            return;
+        const auto n_faces = static_cast<std::size_t>(this->n_faces());
+        const std::size_t n_cells = grid_ ? types_.size() : n_vertex_cells_ + cells_.size() + n_faces;
+        if (markers_->size() != n_cells)
+            scan_.malformed("there are " + std::to_string(n_cells) + " cells, but " +
+                            std::to_string(markers_->size()) + " markers");
+        for (std::size_t i = 0; i < n_cells; ++i) {
+            const std::int32_t marker = (*markers_)[i];
+            if (grid_ ? types_[i] < vertex_cell || types_[i] > poly_line_cell
+                      : i >= n_vertex_cells_ + cells_.size())
+                mesh_.face_marker.push_back(marker);
+            else if (grid_ ? types_[i] >= line_cell : i >= n_vertex_cells_)
+                add_line(grid_ ? i : i - n_vertex_cells_, marker);
+        }
+        if (std::all_of(mesh_.face_marker.begin(), mesh_.face_marker.end(), [](int m) { return m == 0; }))
+            mesh_.face_marker.clear();
+    }
+
+    void add_line(std::size_t i, std::int32_t marker) {
+        if (marker == 0)
+            return;
+        const auto end = [&](std::int64_t place) {
+            const std::int64_t v = cells_.connectivity[static_cast<std::size_t>(place)];
+            if (v < 0 || v >= static_cast<std::int64_t>(mesh_.points.size() / 3))
+                scan_.fail(Fault::range, "a line has vertex number " + std::to_string(v) +
+                                             " of the file, which has " +
+                                             std::to_string(mesh_.points.size() / 3) + " vertices");
+            return static_cast<std::int32_t>(v);
+        };
+        for (std::int64_t k = cells_.offsets[i] + 1; k < cells_.offsets[i + 1]; ++k)
+            mesh_.marked_edges.push_back({{end(k - 1), end(k)}, marker});
+    }
+
     std::int64_t n_faces() const { return static_cast<std::int64_t>(mesh_.faces.size() / 4); }
 
     Scanner scan_;
     bool binary_ = false, grid_ = false, points_ = false, cells_seen_ = false;
-    Cells cells_;
+    Cells cells_; // all of a grid, the lines of POLYDATA
+    std::size_t n_vertex_cells_ = 0;
     std::vector<std::int64_t> types_;
+    std::optional<std::vector<std::int32_t>> markers_; // of the cells
     Arrays mesh_;
 };
 
@@ -317,16 +435,30 @@ private:
 Arrays parse_vtk(std::string_view bytes) { return Reader(bytes).read(); }
 
 std::string print_vtk(const Arrays &mesh) {
-    const std::string n = std::to_string(mesh.faces.size() / 4);
+    // Faces first, so that the number of a cell is that of its face.
+    std::vector<Arrays::MarkedEdge> lines;
+    std::copy_if(mesh.marked_edges.begin(), mesh.marked_edges.end(), std::back_inserter(lines),
+                 [](const Arrays::MarkedEdge &edge) { return edge.marker != 0; });
+    const std::size_t n_faces = mesh.faces.size() / 4;
+    const std::string n = std::to_string(n_faces + lines.size());
     std::string text =
         "# vtk DataFile Version 3.0\nquadrilateral mesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " +
         std::to_string(mesh.points.size() / 3) + " double\n";
     append_points(text, mesh, "");
-    text += "CELLS " + n + " " + std::to_string(mesh.faces.size() / 4 * 5) + "\n";
+    text += "CELLS " + n + " " + std::to_string(5 * n_faces + 3 * lines.size()) + "\n";
     append_faces(text, mesh, "4 ", 0);
+    for (const Arrays::MarkedEdge &line : lines)
+        text += "2 " + std::to_string(line.vertices[0]) + " " + std::to_string(line.vertices[1]) + "\n";
     text += "CELL_TYPES " + n + "\n";
-    for (std::size_t f = 0; f < mesh.faces.size() / 4; ++f)
-        text += "9\n";
+    for (std::size_t i = 0; i < n_faces + lines.size(); ++i)
+        text += std::to_string(i < n_faces ? quad_cell : line_cell) + "\n";
+    if (mesh.face_marker.empty() && lines.empty())
+        return text;
+    text += "CELL_DATA " + n + "\nSCALARS " + std::string(marker_name) + " int 1\nLOOKUP_TABLE default\n";
+    for (std::size_t f = 0; f < n_faces; ++f)
+        text += std::to_string(mesh.face_marker.empty() ? 0 : mesh.face_marker[f]) + "\n";
+    for (const Arrays::MarkedEdge &line : lines)
+        text += std::to_string(line.marker) + "\n";
     return text;
 }
 

@@ -179,7 +179,8 @@ QuadMesh QuadMesh::build(int dim, std::span<const double> points, std::span<cons
     for (std::size_t v = 0; v < n_vertices; ++v)
         positions[v] = {points[3 * v], points[3 * v + 1], points[3 * v + 2]};
     for (std::size_t f = 0; f < n_faces; ++f) {
-        std::array<int, 4> sides, corners;
+        std::array<int, 4> sides;
+        std::array<int, 4> &corners = mesh.corners_[f];
         std::copy_n(halfedges.of_corner.begin() + static_cast<std::ptrdiff_t>(4 * f), 4, sides.begin());
         std::copy_n(faces.begin() + static_cast<std::ptrdiff_t>(4 * f), 4, corners.begin());
         link_face(kernel, static_cast<int>(f), sides, corners);

@@ -43,7 +43,7 @@ void check_halfedges(const Kernel &kernel) {
     }
 }
 
-void check_faces(const Kernel &kernel) {
+void check_faces(const Kernel &kernel, std::span<const std::array<int, 4>> kept) {
     std::size_t sides = 0;
     for (int i = 0; i < static_cast<int>(kernel.n_halfedges()); ++i)
         sides += kernel.is_boundary(Halfedge(i)) ? 0 : 1;
@@ -63,6 +63,9 @@ void check_faces(const Kernel &kernel) {
                     broken("face {} has vertex {} at two corners", Entity::face, {f, corners[i].idx()});
         if (h != first)
             broken("face {} has not four edges", Entity::face, {f});
+        if (!std::equal(corners.begin(), corners.end(), kept[static_cast<std::size_t>(f)].begin(),
+                        [](Vertex corner, int v) { return corner.idx() == v; }))
+            broken("face {} has other corners than its edges have", Entity::face, {f});
     }
     if (sides != 4 * kernel.n_faces())
         throw Failure(Fault::internal, "some half-edges run around no face of the mesh");
@@ -148,15 +151,15 @@ void QuadMesh::check_sizes() const {
     const std::size_t vertices = kernel_.n_vertices(), edges = kernel_.n_edges(), faces = kernel_.n_faces();
     if (!fits(vertex_flags, vertices) || !fits(edge_flags, edges) || !fits(face_flags, faces) ||
         !fits(vertex_origin, vertices) || !fits(edge_origin, edges) || !fits(face_origin, faces) ||
-        !(edge_marker.empty() || fits(edge_marker, edges)) ||
+        !fits(corners_, faces) || !(edge_marker.empty() || fits(edge_marker, edges)) ||
         !(face_marker.empty() || fits(face_marker, faces)))
-        throw Failure(Fault::internal, "flags, markers and origins are not one for each entity");
+        throw Failure(Fault::internal, "flags, markers, origins or corners are not one for each entity");
 }
 
 void QuadMesh::check() const {
     check_sizes();
     check_halfedges(kernel_);
-    check_faces(kernel_);
+    check_faces(kernel_, corners_);
     check_vertices(kernel_);
     check_points(kernel_);
     if (dim_ == 2)

@@ -7,16 +7,6 @@
 
 namespace alphamst::mesh {
 
-std::array<int, 4> QuadMesh::corners(int face) const {
-    std::array<int, 4> result;
-    Halfedge h = kernel_.halfedge_handle(Face(face));
-    for (int &corner : result) {
-        corner = kernel_.to_vertex_handle(h).idx();
-        h = kernel_.next_halfedge_handle(h);
-    }
-    return result;
-}
-
 std::array<int, 2> QuadMesh::edge_vertices(int edge) const {
     const int v = kernel_.to_vertex_handle(Halfedge(2 * edge + 1)).idx();
     const int w = kernel_.to_vertex_handle(Halfedge(2 * edge)).idx();
@@ -109,6 +99,7 @@ void QuadMesh::reserve(std::size_t vertices, std::size_t edges, std::size_t face
     room.edges = roomy(std::max<std::size_t>(room_.edges, kernel_.n_edges()), edges);
     room.faces = roomy(std::max<std::size_t>(room_.faces, kernel_.n_faces()), faces);
     kernel_.reserve(room.vertices, room.edges, room.faces);
+    corners_.reserve(room.faces);
     vertex_flags.reserve(room.vertices);
     vertex_origin.reserve(room.vertices);
     edge_flags.reserve(room.edges);
@@ -127,6 +118,7 @@ void QuadMesh::reserve(std::size_t vertices, std::size_t edges, std::size_t face
 void QuadMesh::resize(std::size_t vertices, std::size_t edges, std::size_t faces) {
     const bool marked_edges = !edge_marker.empty(), marked_faces = !face_marker.empty();
     kernel_.resize(vertices, edges, faces);
+    corners_.resize(faces);
     vertex_flags.resize(vertices);
     vertex_origin.resize(vertices, -1);
     edge_flags.resize(edges);

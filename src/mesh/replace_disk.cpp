@@ -250,8 +250,13 @@ std::int32_t most_frequent_marker(const std::vector<std::int32_t> &markers, cons
 } // namespace
 
 void QuadMesh::move_vertex(int from, int to) {
-    around(kernel_, from,
-           [&](Halfedge h) { kernel_.set_vertex_handle(kernel_.opposite_halfedge_handle(h), Vertex(to)); });
+    around(kernel_, from, [&](Halfedge h) {
+        kernel_.set_vertex_handle(kernel_.opposite_halfedge_handle(h), Vertex(to));
+        if (!kernel_.is_boundary(h)) {
+            auto &corners = corners_[at(kernel_.face_handle(h).idx())];
+            std::replace(corners.begin(), corners.end(), from, to);
+        }
+    });
     kernel_.set_halfedge_handle(Vertex(to), kernel_.halfedge_handle(Vertex(from)));
     kernel_.set_point(Vertex(to), kernel_.point(Vertex(from)));
     vertex_flags[at(to)] = vertex_flags[at(from)];
@@ -286,6 +291,7 @@ void QuadMesh::move_face(int from, int to) {
         kernel_.set_face_handle(h, Face(to));
         h = kernel_.next_halfedge_handle(h);
     } while (h != first);
+    corners_[at(to)] = corners_[at(from)];
     face_flags[at(to)] = face_flags[at(from)];
     face_origin[at(to)] = face_origin[at(from)];
     if (!face_marker.empty())
@@ -326,7 +332,8 @@ QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<
     resize(new_vertices.during, new_edges.during, new_faces.during);
     for (std::size_t q = 0; q < quads.size(); ++q) {
         const int face = new_faces.ids[q];
-        std::array<int, 4> own, corners;
+        std::array<int, 4> own;
+        std::array<int, 4> &corners = corners_[at(face)];
         for (std::size_t i = 0; i < 4; ++i) {
             own[i] = sides[4 * q + i];
             corners[i] = vertices[at(quads[q][i])];

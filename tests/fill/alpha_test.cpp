@@ -35,7 +35,8 @@ TEST(Alpha, BuildsWhatItPredicts) {
     int built = 0;
     for (int p = 8; p <= 80; p += 4)
         for (int step = 1; step <= 6; ++step) {
-            const std::int64_t faces = p / 2 + static_cast<std::int64_t>(p) * p * step / 24 + static_cast<int>(random() % 7);
+            const std::int64_t faces =
+                p / 2 + static_cast<std::int64_t>(p) * p * step / 24 + static_cast<int>(random() % 7);
             for (const AlphaTemplate &chosen : solve(query(p, faces, 3), 3)) {
                 EXPECT_LE(std::abs(chosen.faces - faces), 3);
                 EXPECT_GE(chosen.singularities, 4);
@@ -52,7 +53,8 @@ TEST(Alpha, NearestCountsWithFewestSingularitiesComeFirst) {
         for (std::int64_t faces = p * p / 16; faces < p * p / 4; faces += p / 2 + 1) {
             const auto found = solve(query(p, faces, 4), 6);
             for (std::size_t i = 1; i < found.size(); ++i) {
-                const auto miss = std::abs(found[i].faces - faces), before = std::abs(found[i - 1].faces - faces);
+                const auto miss = std::abs(found[i].faces - faces),
+                           before = std::abs(found[i - 1].faces - faces);
                 EXPECT_LE(before, miss);
                 if (before == miss) {
                     EXPECT_LE(found[i - 1].singularities, found[i].singularities);

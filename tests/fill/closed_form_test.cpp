@@ -114,7 +114,8 @@ TEST(ClosedForm, LeastSingularitiesOfSmallSidesIsTheBruteForce) {
     for (int n0 = 1; n0 <= 6; ++n0)
         for (int n1 = n0; n1 <= 6; ++n1)
             if ((n0 + n1) % 2 == 0 && n0 + n1 >= 4) {
-                EXPECT_EQ(oracle::least(oracle::polygon({n0, n1}), 2, 40), n0 >= 3 ? 2 : -1) << n0 << " " << n1;
+                EXPECT_EQ(oracle::least(oracle::polygon({n0, n1}), 2, 40), n0 >= 3 ? 2 : -1)
+                    << n0 << " " << n1;
             }
     EXPECT_EQ(least_singularities({6}), 3);
     EXPECT_EQ(least_singularities({3, 5}), 2);

@@ -54,7 +54,8 @@ void expect_valid(const Front &front, const Word &word, int &closed) {
 Word some_word(std::mt19937 &random, int round) {
     Word word = oracle::region(6 + static_cast<int>(random() % 20), random);
     if (round % 3 == 0) // polygons and flat rounds as well
-        word = oracle::polygon({3 + static_cast<int>(random() % 4), 4, 3 + static_cast<int>(random() % 4), 4, 4});
+        word = oracle::polygon(
+            {3 + static_cast<int>(random() % 4), 4, 3 + static_cast<int>(random() % 4), 4, 4});
     if (round % 3 == 1)
         word[random() % word.size()] = 2;
     if (word.size() % 2 != 0)

@@ -32,9 +32,10 @@ struct Case {
     std::vector<int> sides;
     int v3, v5;
 };
-const std::vector<Case> cases{{{3, 4, 5}, 1, 0},       {{3, 3, 8}, 2, 1},       {{4, 6, 5, 3}, 1, 1},
-                              {{4, 7, 3, 4}, 1, 1},    {{3, 3, 3, 7}, 2, 2},    {{4, 4, 4, 4, 4}, 0, 1},
-                              {{3, 6, 4, 4, 3}, 1, 2}, {{3, 4, 4, 3, 4, 4}, 0, 2}, {{5, 7}, 2, 0}, {{4, 5, 4, 5}, 0, 0}};
+const std::vector<Case> cases{{{3, 4, 5}, 1, 0},       {{3, 3, 8}, 2, 1},          {{4, 6, 5, 3}, 1, 1},
+                              {{4, 7, 3, 4}, 1, 1},    {{3, 3, 3, 7}, 2, 2},       {{4, 4, 4, 4, 4}, 0, 1},
+                              {{3, 6, 4, 4, 3}, 1, 2}, {{3, 4, 4, 3, 4, 4}, 0, 2}, {{5, 7}, 2, 0},
+                              {{4, 5, 4, 5}, 0, 0}};
 
 TEST(Layout, ExtractKeepsSingularitiesAndDropsCopies) {
     for (const Case &c : cases)
@@ -91,7 +92,8 @@ TEST(Layout, ExpansionsHaveTheirLayout) {
             const auto lengths = side_lengths(layout, x);
             EXPECT_EQ(disk.word, oracle::polygon(lengths));
             EXPECT_EQ(disk.faces, face_count(layout, x));
-            EXPECT_EQ(signature(extract(filling, corners_of(lengths))), signature(layout)) << testing::PrintToString(c.sides);
+            EXPECT_EQ(signature(extract(filling, corners_of(lengths))), signature(layout))
+                << testing::PrintToString(c.sides);
         }
     }
 }
@@ -107,7 +109,8 @@ TEST(Layout, SignatureKnowsNoTurnAndNoMirror) {
                 other.blocks = rotated(layout.blocks, first);
                 other.corners.clear();
                 for (const int corner : layout.corners)
-                    other.corners.push_back((corner - first + layout.blocks.boundary) % layout.blocks.boundary);
+                    other.corners.push_back((corner - first + layout.blocks.boundary) %
+                                            layout.blocks.boundary);
                 if (mirror) {
                     other.blocks = mirrored(other.blocks);
                     for (int &corner : other.corners)

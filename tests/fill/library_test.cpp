@@ -80,7 +80,8 @@ TEST(Library, HasAllTypesWithFewSingularities) {
 }
 
 TEST(Library, GenericTypesHaveTwoChordsMorePerSingularity) {
-    for (const Family &family : {Family{3, 1}, Family{5, 1}, Family{2, 2}, Family{4, 2}, Family{6, 2}, Family{3, 3}, Family{5, 3}}) {
+    for (const Family &family :
+         {Family{3, 1}, Family{5, 1}, Family{2, 2}, Family{4, 2}, Family{6, 2}, Family{3, 3}, Family{5, 3}}) {
         int most = 0;
         for (const Layout &type : types(family.sides, family.singularities))
             most = std::max(most, type.chords);

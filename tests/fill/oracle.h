@@ -71,8 +71,10 @@ template <class Random> Word region(int cells, Random &random) {
         bool simple = true;
         for (const Cell &c : inside)
             for (std::size_t k = 0; k < 4; ++k) {
-                const std::array<Cell, 4> corner{{{c.first, c.second}, {c.first + 1, c.second},
-                                                  {c.first + 1, c.second + 1}, {c.first, c.second + 1}}};
+                const std::array<Cell, 4> corner{{{c.first, c.second},
+                                                  {c.first + 1, c.second},
+                                                  {c.first + 1, c.second + 1},
+                                                  {c.first, c.second + 1}}};
                 const std::array<Cell, 4> beyond{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
                 ++faces[corner[k]];
                 if (!inside.count({c.first + beyond[k].first, c.second + beyond[k].second}))
@@ -112,7 +114,7 @@ template <class Filling> Disk inspect(const Filling &filling) {
     };
     if (boundary < 4 || vertices < boundary)
         return fail("no boundary");
-    std::map<std::pair<int, int>, std::size_t> left; // directed edge -> quad
+    std::map<std::pair<int, int>, std::size_t> left;                          // directed edge -> quad
     std::vector<std::map<int, int>> link(static_cast<std::size_t>(vertices)); // next neighbour, clockwise
     std::vector<int> valence(static_cast<std::size_t>(vertices), 0);
     for (std::size_t q = 0; q < filling.quads.size(); ++q)
@@ -215,6 +217,8 @@ public:
             loop.push_back(static_cast<int>(vertices_.size()));
             vertices_.push_back({letter, 0, 1});
         }
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            edges_.push_back(ends(loop[i], loop[(i + 1) % loop.size()]));
         if (loop.size() >= 4 && loop.size() % 2 == 0)
             loops_.push_back(std::move(loop));
     }
@@ -342,7 +346,9 @@ private:
                 for (int k = j + 1; k < n && !done(); k += 2)
                     if (splits(n - k) && (k == n - 1 || room(k)))
                         attempt(loop, {path(loop, 1, j, {}), path(loop, j, k, {}), path(loop, k, n, {})},
-                                {loop[0], loop[1], loop[static_cast<std::size_t>(j)], loop[static_cast<std::size_t>(k)]}, 0);
+                                {loop[0], loop[1], loop[static_cast<std::size_t>(j)],
+                                 loop[static_cast<std::size_t>(k)]},
+                                0);
         for (int k = 3; k < n && !done(); k += 2) // c new
             if (splits(n - k) && (k == n - 1 || room(k)))
                 attempt(loop, {path(loop, 1, k, {fresh}), path(loop, k, n, {})},
@@ -366,8 +372,22 @@ private:
         return part;
     }
 
+    static std::pair<int, int> ends(int a, int b) { return std::minmax({a, b}); }
+
+    // Lays the quad if that joins no two vertices by a second edge.
     void attempt(const Loop &loop, std::vector<Loop> parts, const Quad &quad, int made) {
-        const std::size_t loops = loops_.size(), vertices = vertices_.size();
+        const std::size_t loops = loops_.size(), vertices = vertices_.size(), edges = edges_.size();
+        for (std::size_t k = 1; k < 4; ++k) {
+            const int a = quad[k], b = quad[(k + 1) % 4];
+            const auto at_a = std::find(loop.begin(), loop.end(), a);
+            if (at_a != loop.end() && (at_a + 1 == loop.end() ? loop.front() : *(at_a + 1)) == b)
+                continue; // glued
+            if (std::find(edges_.begin(), edges_.end(), ends(a, b)) != edges_.end()) {
+                edges_.resize(edges);
+                return;
+            }
+            edges_.push_back(ends(a, b));
+        }
         std::vector<std::pair<int, Vertex>> before;
         for (const int v : loop) {
             before.push_back({v, at(v)});
@@ -387,6 +407,7 @@ private:
             grow();
         --faces_;
         loops_.resize(loops);
+        edges_.resize(edges);
         vertices_.resize(vertices);
         for (const auto &[v, old] : before)
             at(v) = old;
@@ -396,6 +417,7 @@ private:
     bool stop_at_first_ = false;
     std::vector<Vertex> vertices_;
     std::vector<Loop> loops_;
+    std::vector<std::pair<int, int>> edges_;
     int faces_ = 0, v3_ = 0, v5_ = 0;
     std::set<Count> found_;
 };

@@ -180,8 +180,8 @@ TEST(Polygon, MoreSingularitiesThanTheLeast) {
 }
 
 TEST(Polygon, EveryPromisedCountIsOneTheExactFillerFinds) {
-    for (const Sides &sides : {Sides{4, 6, 8}, Sides{3, 3, 8}, Sides{4, 5, 6, 3}, Sides{4, 4, 4, 4}, Sides{3, 6, 4, 5, 4},
-                               Sides{3, 4, 3, 4, 5, 3}}) {
+    for (const Sides &sides : {Sides{4, 6, 8}, Sides{3, 3, 8}, Sides{4, 5, 6, 3}, Sides{4, 4, 4, 4},
+                               Sides{3, 6, 4, 5, 4}, Sides{3, 4, 3, 4, 5, 3}}) {
         const int n = static_cast<int>(sides.size());
         ExactFiller filler(3000000);
         for (int k = oracle::table(sides); k <= 4; k += 2) {
@@ -207,7 +207,8 @@ TEST(Polygon, AnswersAreInRangeBestFirstAndDifferent) {
             sides.push_back(4 + static_cast<int>(random() % 7));
         if (std::accumulate(sides.begin(), sides.end(), 0) % 2 != 0)
             ++sides[0];
-        PolygonQuery query = any(sides, oracle::table(sides) <= 2 ? oracle::table(sides) + 2 : oracle::table(sides));
+        PolygonQuery query =
+            any(sides, oracle::table(sides) <= 2 ? oracle::table(sides) + 2 : oracle::table(sides));
         query.fewest_faces = query.faces - 10;
         query.most_faces = query.faces + 5;
         query.seed = random();
@@ -219,7 +220,8 @@ TEST(Polygon, AnswersAreInRangeBestFirstAndDifferent) {
             for (std::size_t j = 0; j < i; ++j) {
                 EXPECT_LE(std::abs(found[j].faces - query.faces), std::abs(found[i].faces - query.faces));
                 EXPECT_FALSE(found[i].type == found[j].type && found[i].x == found[j].x &&
-                             found[i].first_side == found[j].first_side && found[i].mirrored == found[j].mirrored);
+                             found[i].first_side == found[j].first_side &&
+                             found[i].mirrored == found[j].mirrored);
             }
         }
     }

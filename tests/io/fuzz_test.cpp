@@ -48,7 +48,9 @@ std::vector<Sample> all_samples() {
             {"vtk 5.1", parse_vtk,
              "# vtk DataFile Version 5.1\nx\nASCII\nDATASET" + vtk_points +
                  "FIELD f 1\na 1 2 int\n1 2\nCELLS 2 4\nOFFSETS int\n0 4\nCONNECTIVITY int\n0 1 2 "
-                 "3\nCELL_TYPES 1\n9\n"},
+                 "3\nCELL_TYPES 1\n9\nPOINT_DATA 4\nVECTORS v int\n1 1 1 1 1 1 1 1 1 1 1 1\nCELL_DATA "
+                 "1\nFIELD f 1\n"
+                 "marker 1 1 int\n7\n"},
             {"binary vtk", parse_vtk,
              "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 int\n" +
                  raw({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) + "\nCELLS 1 5\n" + raw({4, 0, 1, 2, 3}) +

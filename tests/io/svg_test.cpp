@@ -52,6 +52,10 @@ TEST(Svg, DrawsTheMesh) {
     EXPECT_NE(text.find("other: 2<"), std::string::npos);
     EXPECT_NE(text.find("4 vertices, 1 faces"), std::string::npos);
     EXPECT_NE(text.find("viewBox=\"-250 -250 10500 6000\""), std::string::npos);
+    // White paper under everything, of the size of the picture.
+    const std::size_t paper =
+        text.find("<rect x=\"-250\" y=\"-250\" width=\"10500\" height=\"6000\" fill=\"#fff\"/>");
+    EXPECT_LT(paper, text.find("<path"));
 }
 
 TEST(Svg, DrawsAnyMesh) {

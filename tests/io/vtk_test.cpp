@@ -40,7 +40,7 @@ TEST(Vtk, ReadsUnstructuredGrids) {
     const std::string text = head("ASCII", "UNSTRUCTURED_GRID") +
                              "FIELD FieldData 1\nTIME 1 1 double\n0.5\n" + points +
                              "CELLS 4 15\n1 0 2 0 1\n4 0 1 2 3 4 1 4 2 5\nCELL_TYPES 4\n1 3 9 8\n"
-                             "CELL_DATA 4\nSCALARS s int 1\n";
+                             "CELL_DATA 4\nSCALARS s int 1\nLOOKUP_TABLE default\n1 2 3 4\n";
     const Arrays mesh = parse_vtk(text);
     EXPECT_EQ(mesh.points.size(), 18u);
     EXPECT_EQ(mesh.faces, two_faces);
@@ -83,6 +83,114 @@ TEST(Vtk, ReadsBinary) {
     for (std::size_t n = old.find("POINTS"); n < whole; ++n)
         EXPECT_EQ(failure_of([&] { parse_vtk(std::string_view(old).substr(0, n)); }).fault, Fault::format)
             << n;
+}
+
+std::vector<std::array<std::int32_t, 3>> edges_of(const Arrays &mesh) {
+    std::vector<std::array<std::int32_t, 3>> edges;
+    for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
+        edges.push_back({edge.vertices[0], edge.vertices[1], edge.marker});
+    return edges;
+}
+
+TEST(Vtk, MarkersRoundTrip) {
+    Arrays mesh = samples::grid(3, 3);
+    const std::string plain = print_vtk(mesh);
+    EXPECT_EQ(plain.find("CELL_DATA"), std::string::npos);
+    mesh.face_marker = {1, 2, 0, -4, 5, 6, 7, 8, 2147483647};
+    mesh.marked_edges = {{{0, 1}, 3}, {{1, 2}, -2147483647 - 1}, {{6, 2}, 0}, {{3, 2}, 3}};
+    const Arrays back = parse_vtk(print_vtk(mesh));
+    EXPECT_TRUE(samples::same_bits(back.points, mesh.points));
+    EXPECT_EQ(back.faces, mesh.faces);
+    EXPECT_EQ(back.face_marker, mesh.face_marker);
+    using Edges = std::vector<std::array<std::int32_t, 3>>;
+    EXPECT_EQ(edges_of(back), (Edges{{0, 1, 3}, {1, 2, -2147483647 - 1}, {3, 2, 3}}));
+    mesh.face_marker.clear();
+    EXPECT_TRUE(parse_vtk(print_vtk(mesh)).face_marker.empty());
+    EXPECT_EQ(edges_of(parse_vtk(print_vtk(mesh))).size(), 3u);
+    mesh.marked_edges.clear();
+    mesh.face_marker.assign(9, 5);
+    EXPECT_EQ(parse_vtk(print_vtk(mesh)).face_marker, mesh.face_marker);
+    mesh.face_marker.clear();
+    EXPECT_EQ(print_vtk(mesh), plain);
+}
+
+// A vertex, a line, a poly-line and two faces, and what comes behind them.
+std::string marked_grid(const std::string &attributes) {
+    return head("ASCII", "UNSTRUCTURED_GRID") + points +
+           "CELLS 5 19\n1 0\n4 0 1 2 3\n2 0 1\n3 1 4 5\n4 1 4 5 2\nCELL_TYPES 5\n1 9 3 4 9\n" + attributes;
+}
+
+TEST(Vtk, FindsTheMarkersAmongOtherAttributes) {
+    using Edges = std::vector<std::array<std::int32_t, 3>>;
+    const std::string marker = "SCALARS marker int 1\nLOOKUP_TABLE default\n9 1 2 3 4\n";
+    const std::string field =
+        "FIELD FieldData 2\nother 2 5 float\n1 2 3 4 5 6 7 8 9 10\nMETADATA\nINFORMATION "
+        "0\n\nmarker 1 5 vtktypeint64\n9 1 2 3 4\n";
+    const std::string before = "POINT_DATA 6\nSCALARS marker int\nLOOKUP_TABLE default\n7 7 7 7 7 7\n"
+                               "VECTORS v double\n1 1 1 2 2 2 3 3 3 4 4 4 5 5 5 6 6 6\nCELL_DATA 5\n";
+    for (const std::string &text :
+         {"CELL_DATA 5\n" + marker, before + marker, before + field,
+          "cell_data 5\n" + field + "POINT_DATA 6\n",
+          std::string("CELL_DATA 5\nSCALARS marker short\n9 1 2 3 4\n"),
+          before + marker + "COLOR_SCALARS c 1 and so on",
+          "CELL_DATA 5\nNORMALS n float\n1 1 1 1 1 1 1 1 1 1 1 1 1 1 1\nGLOBAL_IDS g int\n1 2 3 4 5\n" +
+              marker}) {
+        const Arrays mesh = parse_vtk(marked_grid(text));
+        EXPECT_EQ(mesh.faces, two_faces) << text;
+        EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{1, 4})) << text;
+        EXPECT_EQ(edges_of(mesh), (Edges{{0, 1, 2}, {1, 4, 3}, {4, 5, 3}})) << text;
+    }
+}
+
+TEST(Vtk, PassesOverOtherAttributes) {
+    for (const char *text :
+         {"CELL_DATA 5\n", "CELL_DATA 5\nSCALARS marker float 1\nLOOKUP_TABLE default\n1 1 1 1 1\n",
+          "CELL_DATA 5\nSCALARS marker int 2\nLOOKUP_TABLE default\n1 1 1 1 1 1 1 1 1 1\n",
+          "CELL_DATA 5\nSCALARS marker string 1\nfive words are not read\n",
+          "CELL_DATA 5\nFIELD f 1\nmarker 1 5 string\nwords\n",
+          "CELL_DATA 5\nSCALARS marker int 1\nLOOKUP_TABLE default\n9 0 0 0 0\n",
+          "POINT_DATA 6\nSCALARS marker int 1\nLOOKUP_TABLE default\n1 1 1 1 1 1\n"}) {
+        const Arrays mesh = parse_vtk(marked_grid(text));
+        EXPECT_EQ(mesh.faces, two_faces) << text;
+        EXPECT_TRUE(mesh.face_marker.empty() && mesh.marked_edges.empty()) << text;
+    }
+}
+
+TEST(Vtk, ReadsMarkersOfPolyDataAndOfBinary) {
+    using Edges = std::vector<std::array<std::int32_t, 3>>;
+    const std::string data = "CELL_DATA 5\nSCALARS marker int 1\nLOOKUP_TABLE default\n";
+    // Whatever comes first in the file: vertices, lines, faces.
+    const Arrays polygons = parse_vtk(head("ASCII", "POLYDATA") + points +
+                                      "POLYGONS 2 10\n4 0 1 2 3\n4 1 4 5 2\nLINES 2 7\n2 0 1\n3 1 4 5\n"
+                                      "VERTICES 1 2\n1 0\n" +
+                                      data + "9 1 2 3 4\n");
+    EXPECT_EQ(polygons.face_marker, (std::vector<std::int32_t>{3, 4}));
+    EXPECT_EQ(edges_of(polygons), (Edges{{0, 1, 1}, {1, 4, 2}, {4, 5, 2}}));
+    const std::string grid = head("BINARY", "UNSTRUCTURED_GRID") + binary_points + "CELLS 3 13\n" +
+                             big<std::int32_t>({4, 0, 1, 2, 3, 2, 0, 1, 4, 1, 4, 5, 2}) + "\nCELL_TYPES 3\n" +
+                             big<std::int32_t>({9, 3, 9}) +
+                             "\nPOINT_DATA 6\nSCALARS c unsigned_char 1\nLOOKUP_TABLE default\nLOOKUP\n"
+                             "CELL_DATA 3\nFIELD FieldData 1\nmarker 1 3 short\n" +
+                             big<std::int16_t>({-2, 7, 300}) + "\n";
+    const Arrays binary = parse_vtk(grid);
+    EXPECT_EQ(binary.face_marker, (std::vector<std::int32_t>{-2, 300}));
+    EXPECT_EQ(edges_of(binary), (Edges{{0, 1, 7}}));
+}
+
+TEST(Vtk, RejectsMarkersThatDoNotFit) {
+    const std::string array = "SCALARS marker vtktypeint64 1\nLOOKUP_TABLE default\n";
+    for (const std::string &text :
+         {"CELL_DATA 4\n" + array + "1 2 3 4\n", "CELL_DATA 5\n" + array + "1 2 3 4\n",
+          "CELL_DATA 5\n" + array + "1 2 3 4 x\n", "CELL_DATA -5\n" + array + "1 2 3 4 5\n",
+          std::string("CELL_DATA 9000000000000000000\nTENSORS t float\n1\n"),
+          std::string("CELL_DATA 5\nFIELD f 1\nmarker 1 4 int\n1 2 3 4\n")})
+        EXPECT_EQ(failure_of([&] { parse_vtk(marked_grid(text)); }).fault, Fault::format) << text;
+    EXPECT_EQ(
+        failure_of([&] { parse_vtk(marked_grid("CELL_DATA 5\n" + array + "0 0 0 0 2147483648\n")); }).fault,
+        Fault::unsupported);
+    std::string outside = marked_grid("CELL_DATA 5\n" + array + "1 2 3 4 5\n");
+    outside.replace(outside.find("3 1 4 5"), 7, "3 1 6 5");
+    EXPECT_EQ(failure_of([&] { parse_vtk(outside); }).fault, Fault::range);
 }
 
 TEST(Vtk, RejectsOtherCells) {

@@ -48,6 +48,11 @@ TEST(Check, FindsDamage) {
             k.new_edge(Vertex(0), Vertex(5)), m.edge_flags.push_back(0), m.edge_origin.push_back(0);
         },
         [](Kernel &, QuadMesh &m) { m.edge_flags.pop_back(); },
+        [](Kernel &, QuadMesh &m) { const_cast<int &>(m.faces()[4][2]) = 0; },
+        [](Kernel &, QuadMesh &m) {
+            auto &corners = const_cast<std::array<int, 4> &>(m.faces()[4]);
+            std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+        },
         [](Kernel &, QuadMesh &m) {
             m.edge_marker = {1, 2};
         }};

@@ -21,6 +21,21 @@ TEST(QuadMesh, Counts) {
     EXPECT_EQ(mesh.edge_origin, identity);
 }
 
+TEST(QuadMesh, FacesAreWhatWasGiven) {
+    Grid grid = plane(4, 3);
+    for (std::size_t f = 0; f < grid.faces.size() / 4; ++f) { // each from another corner
+        const auto first = grid.faces.begin() + static_cast<std::ptrdiff_t>(4 * f);
+        std::rotate(first, first + static_cast<std::ptrdiff_t>(f % 4), first + 4);
+    }
+    const QuadMesh mesh = grid.build();
+    ASSERT_EQ(mesh.faces().size(), 12u);
+    for (std::size_t i = 0; i < grid.faces.size(); ++i) {
+        EXPECT_EQ(mesh.faces()[i / 4][i % 4], grid.faces[i]);
+        EXPECT_EQ(mesh.corners(static_cast<int>(i / 4))[i % 4], grid.faces[i]);
+    }
+    EXPECT_TRUE((Grid{{0, 0, 0}, {}}.build().faces().empty()));
+}
+
 TEST(QuadMesh, Edges) {
     const QuadMesh mesh = plane(2, 2).build();
     for (int e = 0; e < mesh.n_edges(); ++e) {
@@ -86,6 +101,9 @@ TEST(QuadMesh, CopyIsDeep) {
     const QuadMesh copy = mesh;
     mesh.set_point(0, {5, 5, 5});
     mesh.vertex_flags[3] = fixed;
+    mesh.replace_disk(std::vector{0}, std::vector{0, 1, 4, 3}, std::vector{std::array{1, 2, 3, 0}}, {});
+    EXPECT_EQ(mesh.corners(0), (std::array{1, 4, 3, 0}));
+    EXPECT_EQ(copy.corners(0), (std::array{0, 1, 4, 3}));
     EXPECT_EQ(copy.point(0)[0], 0);
     EXPECT_EQ(copy.vertex_flags[3], 0);
 }

@@ -385,11 +385,13 @@ protected:
         mesh.face_marker.assign(mesh.face_flags.size(), 3);
         const auto before = mesh.checksum();
         const auto origins = mesh.face_origin;
+        const std::vector<std::array<int, 4>> faces(mesh.faces().begin(), mesh.faces().end());
         const int edges = mesh.n_edges();
         EXPECT_EQ(failure_of([&] { mesh.replace_disk(disk.faces, disk.loop, quads, points); }).fault,
                   Fault::internal);
         EXPECT_EQ(mesh.checksum(), before);
         EXPECT_EQ(mesh.face_origin, origins);
+        EXPECT_TRUE(std::equal(faces.begin(), faces.end(), mesh.faces().begin(), mesh.faces().end()));
         EXPECT_EQ(mesh.n_edges(), edges);
         EXPECT_NO_THROW(mesh.check());
     }
