@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "fill/collapse.h"
 #include "fill/plan.h"
@@ -61,85 +63,32 @@ public:
             keep_angles();
     }
 
-    // Fillings to try, best first; entries are different in numbers or shape.
-    std::vector<fill::Candidate> candidates() const {
-        if (!goal_.keep_quality)
-            return ragged() && !goal_.any_count ? ragged_candidates() : fill::plan(request());
-        // A smallest scaled Jacobian that is already good is seldom reached again next to a
-        // boundary that cannot move: there a rim of faces stays.
-        constexpr double good = 0.6;
-        std::vector<fill::Candidate> list;
-        if (old_quality < good)
-            list = fill::plan(request());
-        for (int layers = 1; layers <= 2; ++layers)
-            for (fill::Candidate &candidate : inner_candidates(layers))
-                list.push_back(std::move(candidate));
-        return list;
-    }
+    using Group = std::vector<fill::Candidate>;
+    using Source = std::function<Group()>; // the next group each time, empty at the end
 
-    // The boundary is so long for the faces in it that few templates follow its turns.
-    bool ragged() const { return window.loop.size() * window.loop.size() > 64 * window.faces.size(); }
-
-    // What is closest to the present filling first: next to a ragged boundary it is hard to better.
-    std::vector<fill::Candidate> ragged_candidates() const {
-        std::vector<fill::Candidate> list = inner_candidates(1);
-        if (list.empty() || list.front().faces != goal_.faces)
-            list = fill::plan_by_collapse(request());
-        for (fill::Candidate &candidate : fill::plan(request()))
-            list.push_back(std::move(candidate));
-        return list;
-    }
-
-    // New fillings of what lies at least so many layers of faces off the boundary; the
-    // faces in between stay as they are.
-    std::vector<fill::Candidate> inner_candidates(int layers) const {
-        std::vector<int> faces = window.faces;
-        for (int layer = 0; layer < layers; ++layer) {
-            std::vector<int> rim = layer == 0 ? window.loop : border(faces);
-            std::sort(rim.begin(), rim.end());
-            std::erase_if(faces, [&](int f) {
-                const auto corners = mesh_.corners(f);
-                return std::any_of(corners.begin(), corners.end(),
-                                   [&](int v) { return std::binary_search(rim.begin(), rim.end(), v); });
-            });
+    // Where fillings come from, best first, all made only when asked for.
+    std::vector<Source> sources() const {
+        std::vector<Source> list;
+        if (goal_.keep_quality) {
+            // A smallest scaled Jacobian that is already good is seldom reached again next to
+            // a boundary that cannot move: there a rim of faces stays.
+            constexpr double good = 0.6;
+            if (old_quality < good)
+                list.push_back(templates(request()));
+            list.push_back(inner(1));
+            list.push_back(inner(2));
+        } else if (ragged() && !goal_.any_count) {
+            list.push_back(inner(1));
+            if (goal_.faces < static_cast<std::int64_t>(old.quads.size()))
+                list.push_back(collapsed());
+            list.push_back(templates(request()));
+        } else {
+            list.push_back(templates(request()));
+            if (!goal_.any_count) {
+                list.push_back(inner(1));
+                list.push_back(collapsed());
+            }
         }
-        const std::vector<char> none(static_cast<std::size_t>(mesh_.n_faces()), 0);
-        faces = patch::repair(mesh_, std::move(faces), none);
-        if (faces.size() < 4)
-            return {};
-        const auto inner = std::make_shared<const Inner>(*this, patch::make_window(mesh_, faces));
-        fill::Request request = this->request();
-        request.word = inner->window.wanted;
-        request.regular.clear();
-        for (const int outside : inner->window.outside)
-            request.regular.push_back(4 - outside);
-        request.angles.clear(); // its boundary can move
-        request.faces = goal_.faces - static_cast<std::int64_t>(window.faces.size() - faces.size());
-        request.old = nullptr;
-        std::vector<fill::Candidate> list;
-        if (request.faces < 1)
-            return list;
-        for (fill::Candidate &candidate : fill::plan(request)) {
-            candidate.faces += static_cast<std::int64_t>(window.faces.size() - faces.size());
-            candidate.singularities += inner->singular_outside;
-            candidate.build = [inner, fill = std::move(candidate.build)] { return inner->complete(fill()); };
-            list.push_back(std::move(candidate));
-        }
-        return list;
-    }
-
-    // The candidates with the present filling before the first that has more singularities.
-    std::vector<fill::Candidate> ordered() const {
-        std::vector<fill::Candidate> list = candidates();
-        std::optional<fill::Candidate> there = present();
-        if (!there)
-            return list;
-        if (goal_.keep_quality)
-            std::erase_if(list, [&](const fill::Candidate &c) { return c.singularities >= there->singularities; });
-        const auto place = std::find_if(list.begin(), list.end(), [&](const fill::Candidate &c) {
-            return (!goal_.any_count && c.faces != goal_.faces) || c.singularities >= there->singularities;
-        });
-        list.insert(place, std::move(*there));
         return list;
     }
 
@@ -151,13 +100,8 @@ public:
         return fill::Candidate{faces, old_singular_all_, 0, [this] { return old; }};
     }
 
-    // Less regular fillings, for when none of the candidates can be given a valid shape.
-    std::vector<fill::Candidate> fallbacks() const {
-        std::vector<fill::Candidate> list = inner_candidates(1);
-        for (fill::Candidate &candidate : fill::plan_by_collapse(request()))
-            list.push_back(std::move(candidate));
-        return list;
-    }
+    // The boundary is so long for the faces in it that few templates follow its turns.
+    bool ragged() const { return window.loop.size() * window.loop.size() > 64 * window.faces.size(); }
 
     // No edge of the filling may double one outside.
     bool fits(const fill::Filling &filling) const {
@@ -262,6 +206,62 @@ private:
         int singular_outside = 0;
     };
 
+    static Source templates(fill::Request request) {
+        return [plan = std::make_shared<fill::Plan>(std::move(request))] { return plan->next(); };
+    }
+
+    // Quads of the present filling collapsed, for when nothing more regular is valid.
+    Source collapsed() const {
+        return [this, done = false]() mutable {
+            return std::exchange(done, true) ? Group{} : fill::plan_by_collapse(request(), old);
+        };
+    }
+
+    // New fillings of what lies at least so many layers of faces off the boundary; the
+    // faces in between stay as they are.
+    Source inner(int layers) const {
+        return [this, layers, source = Source()]() mutable {
+            if (!source)
+                source = start_inner(layers);
+            return source();
+        };
+    }
+
+    Source start_inner(int layers) const {
+        std::vector<int> faces = window.faces;
+        for (int layer = 0; layer < layers; ++layer) {
+            std::vector<int> rim = layer == 0 ? window.loop : border(faces);
+            std::sort(rim.begin(), rim.end());
+            std::erase_if(faces, [&](int f) {
+                const auto corners = mesh_.corners(f);
+                return std::any_of(corners.begin(), corners.end(),
+                                   [&](int v) { return std::binary_search(rim.begin(), rim.end(), v); });
+            });
+        }
+        const std::vector<char> none(static_cast<std::size_t>(mesh_.n_faces()), 0);
+        faces = patch::repair(mesh_, std::move(faces), none);
+        const auto kept = static_cast<std::int64_t>(window.faces.size() - faces.size());
+        if (faces.size() < 4 || goal_.faces <= kept)
+            return [] { return Group{}; };
+        const auto inside = std::make_shared<const Inner>(*this, patch::make_window(mesh_, faces));
+        fill::Request request = this->request();
+        request.word = inside->window.wanted;
+        request.regular.clear();
+        for (const int outside : inside->window.outside)
+            request.regular.push_back(4 - outside);
+        request.angles.clear(); // its boundary can move
+        request.faces = goal_.faces - kept;
+        return [inside, kept, next = templates(std::move(request))] {
+            Group group = next();
+            for (fill::Candidate &candidate : group) {
+                candidate.faces += kept;
+                candidate.singularities += inside->singular_outside;
+                candidate.build = [inside, fill = std::move(candidate.build)] { return inside->complete(fill()); };
+            }
+            return group;
+        };
+    }
+
     // Vertices at which both a face of the set and another face of the patch lie, or the loop.
     std::vector<int> border(const std::vector<int> &faces) const {
         std::vector<int> vertices;
@@ -284,7 +284,6 @@ private:
         request.most = settings_.candidates;
         request.node_limit = settings_.node_limit;
         request.seed = settings_.seed;
-        request.old = &old;
         return request;
     }
 
@@ -418,15 +417,15 @@ struct Best {
 // numbers are not tried.
 constexpr double comfortable = 0.3;
 
-// Tries candidates in their order and keeps the best shape.
+// Tries fillings in their order and keeps the best shape. The first that fits sets the numbers
+// that were predicted.
 class Choice {
 public:
     Choice(const Site &site, const Goal &goal, const Settings &settings)
-        : site_(site), goal_(goal), settings_(settings) {}
+        : site_(site), goal_(goal), settings_(settings), present_(site.present()) {}
 
     Best run() {
-        if (!try_all(site_.ordered()) && !goal_.any_count)
-            try_all(site_.fallbacks());
+        each([&](const fill::Candidate &candidate, fill::Filling filling) { return !try_one(candidate, std::move(filling)); });
         if (first_faces_ < 0)
             refuse_count(site_, goal_);
         if (best_.number < 0)
@@ -436,32 +435,62 @@ public:
         return std::move(best_);
     }
 
+    Prediction first() {
+        std::optional<Prediction> found;
+        each([&](const fill::Candidate &, const fill::Filling &filling) {
+            found = {static_cast<std::int64_t>(filling.quads.size()), singular(site_.valences(filling))};
+            return false;
+        });
+        if (!found)
+            refuse_count(site_, goal_);
+        return *found;
+    }
+
 private:
-    // Whether a valid one is found. Fillings with other numbers than the first are tried only if
-    // none with the same is valid, or, where the old quality is to be kept, good enough.
-    bool try_all(const std::vector<fill::Candidate> &candidates) {
-        for (const fill::Candidate &candidate : candidates) {
+    // Visits the fillings that fit until one is refused; the present one comes before the
+    // first that has at least as many singularities.
+    template <class Visit> void each(const Visit &visit) {
+        auto visit_one = [&](const fill::Candidate &candidate) {
             fill::Filling filling = candidate.build();
-            if (!site_.fits(filling))
-                continue;
-            auto valences = site_.valences(filling);
-            const auto faces = static_cast<std::int64_t>(filling.quads.size());
-            const std::int64_t singular_now = singular(valences);
-            if (first_faces_ < 0) {
-                first_faces_ = faces;
-                first_singular_ = singular_now;
-            }
-            const bool as_predicted = faces == first_faces_ && singular_now == first_singular_;
-            if (faces != first_faces_ && !goal_.any_count)
-                continue; // the predicted count is kept, come what may
-            if (best_.number >= 0 && !as_predicted && !goal_.keep_quality)
-                break;
-            later_ += as_predicted ? 0 : 1;
-            ++tried_;
-            if (judge(std::move(filling), std::move(valences), as_predicted ? 0 : later_))
-                return true;
+            return !site_.fits(filling) || visit(candidate, std::move(filling));
+        };
+        bool present_left = present_.has_value();
+        for (const Site::Source &source : site_.sources())
+            for (Site::Group group = source(); !group.empty(); group = source())
+                for (const fill::Candidate &candidate : group) {
+                    if (present_ && candidate.singularities >= present_->singularities) {
+                        if (goal_.keep_quality)
+                            continue;
+                        if (std::exchange(present_left, false) && !visit_one(*present_))
+                            return;
+                    }
+                    if (!visit_one(candidate))
+                        return;
+                }
+        if (present_left)
+            visit_one(*present_);
+    }
+
+    // Whether the search is over. Fillings with other numbers than the first are tried only if none
+    // with the same is valid, or, where the old quality is to be kept, good enough.
+    bool try_one(const fill::Candidate &, fill::Filling filling) {
+        auto valences = site_.valences(filling);
+        const auto faces = static_cast<std::int64_t>(filling.quads.size());
+        const std::int64_t singular_now = singular(valences);
+        if (first_faces_ < 0) {
+            first_faces_ = faces;
+            first_singular_ = singular_now;
         }
-        return best_.number >= 0;
+        const bool as_predicted = faces == first_faces_ && singular_now == first_singular_;
+        if (faces != first_faces_ && !goal_.any_count)
+            return false; // the predicted count is kept, come what may
+        if (best_.number >= 0 && !as_predicted && !goal_.keep_quality)
+            return true;
+        if (tried_ >= settings_.candidates && !(present_ && filling.quads == site_.old.quads))
+            return false;
+        later_ += as_predicted ? 0 : 1;
+        ++tried_;
+        return judge(std::move(filling), std::move(valences), as_predicted ? 0 : later_);
     }
 
     // Whether the filling is good enough to end the search.
@@ -478,6 +507,7 @@ private:
     const Site &site_;
     const Goal &goal_;
     const Settings &settings_;
+    const std::optional<fill::Candidate> present_;
     Best best_;
     std::int64_t first_faces_ = -1, first_singular_ = -1, later_ = 0, tried_ = 0;
 };
@@ -520,12 +550,7 @@ Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &go
 Prediction first_choice(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings) {
     try {
         const Site site(mesh, patch, goal, settings);
-        for (const fill::Candidate &candidate : site.ordered()) {
-            const fill::Filling filling = candidate.build();
-            if (site.fits(filling))
-                return {static_cast<std::int64_t>(filling.quads.size()), singular(site.valences(filling))};
-        }
-        refuse_count(site, goal);
+        return Choice(site, goal, settings).first();
     } catch (const Refusal &refusal) {
         throw Failure(refusal.fault, refusal.text);
     }

@@ -13,9 +13,9 @@ namespace {
 // A filling under collapses: the vertex a of a quad (a, b, c, d) moves onto c, b and d lose the quad.
 class Collapser {
 public:
-    Collapser(const Request &request, std::uint64_t seed)
-        : request_(request), quads_(request.old->quads), alive_(quads_.size(), 1),
-          at_(static_cast<std::size_t>(request.old->vertices)), random_(seed) {
+    Collapser(const Request &request, const Filling &old, std::uint64_t seed)
+        : request_(request), boundary_(old.boundary), quads_(old.quads), alive_(quads_.size(), 1),
+          at_(static_cast<std::size_t>(old.vertices)), random_(seed) {
         for (std::size_t q = 0; q < quads_.size(); ++q)
             for (const int v : quads_[q])
                 at_[static_cast<std::size_t>(v)].push_back(q);
@@ -37,7 +37,7 @@ public:
     }
 
     Filling result() const {
-        Filling filling{request_.old->boundary, request_.old->boundary, {}};
+        Filling filling{boundary_, boundary_, {}};
         std::vector<int> name(at_.size(), -1);
         for (int v = 0; v < filling.boundary; ++v)
             name[static_cast<std::size_t>(v)] = v;
@@ -79,7 +79,7 @@ private:
         }
     };
 
-    bool inside(std::size_t v) const { return v >= static_cast<std::size_t>(request_.old->boundary); }
+    bool inside(std::size_t v) const { return v >= static_cast<std::size_t>(boundary_); }
 
     int penalty(std::size_t v, int faces) const {
         const int off = faces - (inside(v) ? 4 : request_.word[v]);
@@ -159,6 +159,7 @@ private:
     }
 
     const Request &request_;
+    const int boundary_;
     std::vector<std::array<int, 4>> quads_;
     std::vector<char> alive_;
     std::vector<std::vector<std::size_t>> at_; // quads at each vertex
@@ -169,12 +170,12 @@ private:
 
 } // namespace
 
-std::vector<Candidate> plan_by_collapse(const Request &request) {
+std::vector<Candidate> plan_by_collapse(const Request &request, const Filling &old) {
     std::vector<Candidate> candidates;
-    if (request.old == nullptr || static_cast<std::int64_t>(request.old->quads.size()) <= request.faces)
+    if (static_cast<std::int64_t>(old.quads.size()) <= request.faces)
         return candidates;
     for (int round = 0; round < request.most; ++round) {
-        Collapser collapser(request, request.seed + 1000003 * static_cast<std::uint64_t>(round));
+        Collapser collapser(request, old, request.seed + 1000003 * static_cast<std::uint64_t>(round));
         if (collapser.reach(request.faces))
             candidates.push_back({request.faces, collapser.singularities(), 0.01 * round,
                                   [filling = collapser.result()] { return filling; }});

@@ -6,8 +6,8 @@
 
 namespace alphamst::fill {
 
-// Candidates with exactly request.faces faces, made from request.old; empty if that is
-// missing, has no more faces than wanted, or cannot be collapsed that far.
-std::vector<Candidate> plan_by_collapse(const Request &request);
+// Candidates with exactly request.faces faces, made from a filling of the same word; empty
+// if that has no more faces than wanted or cannot be collapsed so far.
+std::vector<Candidate> plan_by_collapse(const Request &request, const Filling &old);
 
 } // namespace alphamst::fill

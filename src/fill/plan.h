@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "fill/filling.h"
@@ -21,7 +22,6 @@ struct Request {
     int most = 16;              // candidates
     std::int64_t node_limit = 1000;
     std::uint64_t seed = 0;
-    const Filling *old = nullptr; // what fills the word now; start of the fallback for few faces
 };
 
 struct Candidate {
@@ -31,8 +31,23 @@ struct Candidate {
     std::function<Filling()> build;
 };
 
-// Candidates: exact face count first, then fewest singularities (any_count: the
-// other way round). Empty if nothing is known.
+// Groups of candidates, made as they are asked for: exact face count first, then fewest
+// singularities (any_count: the other way round); within a group the likely best shape first.
+class Plan {
+public:
+    explicit Plan(Request request);
+    ~Plan();
+    Plan(Plan &&) noexcept;
+
+    // Empty when nothing more is known.
+    std::vector<Candidate> next();
+
+private:
+    class Search;
+    std::unique_ptr<Search> search_;
+};
+
+// The first candidates of all groups, request.most of them.
 std::vector<Candidate> plan(const Request &request);
 
 } // namespace alphamst::fill

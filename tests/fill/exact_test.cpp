@@ -154,7 +154,7 @@ TEST(Exact, EqualsTheBruteForceWithoutCorners) {
         if (oracle::excess(word) <= 8)
             counts += expect_equal(word, 14);
     }
-    for (const std::size_t length : {4, 6, 8})
+    for (const std::size_t length : {4u, 6u, 8u})
         counts += expect_equal(Word(length, 2), 18);
     EXPECT_GT(counts, 60u);
 }

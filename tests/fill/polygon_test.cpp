@@ -85,12 +85,14 @@ TEST(Polygon, TableIsTheBruteForce) {
                                     {5, 8, 22, 0.12, {1, 3, 5}},
                                     {6, 9, 24, 0.1, {2, 4, 6}}};
 #else
-    const std::vector<Range> ranges{{3, 11, 22, 0.15, {1, 3}},
-                                    {4, 9, 18, 0.12, {0, 2, 4}},
-                                    {5, 8, 20, 0.12, {1, 3, 5}},
-                                    {6, 7, 22, 0.1, {2, 4}}};
-    EXPECT_EQ(oracle::least(oracle::polygon({3, 3, 3, 3, 3, 9}), 6, 57), 6);
-    EXPECT_EQ(oracle::table({3, 3, 3, 3, 3, 9}), 6);
+    const std::vector<Range> ranges{{3, 9, 18, 0.15, {1, 3}},
+                                    {4, 9, 16, 0.12, {0, 2, 4}},
+                                    {5, 6, 18, 0.12, {1, 3}},
+                                    {6, 5, 20, 0.1, {2}}};
+    for (const Sides &sides : {Sides{3, 3, 3, 3, 8}, Sides{3, 3, 3, 4, 7}, Sides{3, 3, 3, 3, 3, 7}}) {
+        const auto perimeter = static_cast<int>(oracle::polygon(sides).size());
+        EXPECT_EQ(oracle::table(sides), oracle::least(oracle::polygon(sides), 6, perimeter * perimeter / 9));
+    }
 #endif
     for (const Range &range : ranges) {
         std::set<int> seen;
