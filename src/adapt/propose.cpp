@@ -77,17 +77,19 @@ public:
                 list.push_back(templates(request()));
             list.push_back(inner(1));
             list.push_back(inner(2));
-        } else if (ragged() && !goal_.any_count) {
-            list.push_back(inner(1));
-            if (goal_.faces < static_cast<std::int64_t>(old.quads.size()))
-                list.push_back(collapsed());
+        } else if (goal_.any_count) {
             list.push_back(templates(request()));
         } else {
-            list.push_back(templates(request()));
-            if (!goal_.any_count) {
-                list.push_back(inner(1));
-                list.push_back(collapsed());
-            }
+            const bool late = ragged(); // templates seldom follow a ragged boundary
+            if (!late)
+                list.push_back(templates(request()));
+            list.push_back(inner(1));
+            list.push_back(collapsed());
+            if (late)
+                list.push_back(templates(request()));
+            fill::Request near = request();
+            near.tolerance = 2;
+            list.push_back(templates(std::move(near)));
         }
         return list;
     }
@@ -284,6 +286,7 @@ private:
         request.most = settings_.candidates;
         request.node_limit = settings_.node_limit;
         request.seed = settings_.seed;
+        request.tolerance = 0;
         return request;
     }
 
@@ -455,7 +458,8 @@ private:
             return !site_.fits(filling) || visit(candidate, std::move(filling));
         };
         bool present_left = present_.has_value();
-        for (const Site::Source &source : site_.sources())
+        for (const Site::Source &source : site_.sources()) {
+            tried_here_ = 0;
             for (Site::Group group = source(); !group.empty(); group = source())
                 for (const fill::Candidate &candidate : group) {
                     if (present_ && candidate.singularities >= present_->singularities) {
@@ -467,6 +471,7 @@ private:
                     if (!visit_one(candidate))
                         return;
                 }
+        }
         if (present_left)
             visit_one(*present_);
     }
@@ -486,10 +491,11 @@ private:
             return false; // the predicted count is kept, come what may
         if (best_.number >= 0 && !as_predicted && !goal_.keep_quality)
             return true;
-        if (tried_ >= settings_.candidates && !(present_ && filling.quads == site_.old.quads))
+        if (tried_here_ >= settings_.candidates && !(present_ && filling.quads == site_.old.quads))
             return false;
         later_ += as_predicted ? 0 : 1;
         ++tried_;
+        ++tried_here_;
         return judge(std::move(filling), std::move(valences), as_predicted ? 0 : later_);
     }
 
@@ -509,7 +515,7 @@ private:
     const Settings &settings_;
     const std::optional<fill::Candidate> present_;
     Best best_;
-    std::int64_t first_faces_ = -1, first_singular_ = -1, later_ = 0, tried_ = 0;
+    std::int64_t first_faces_ = -1, first_singular_ = -1, later_ = 0, tried_ = 0, tried_here_ = 0;
 };
 
 } // namespace

@@ -87,7 +87,7 @@ protected:
             const double wanted = alpha > 0 ? alpha : drawn;
             SCOPED_TRACE(std::string(GetParam().name) + ", run " + std::to_string(i) + ": " +
                          std::to_string(patch.size()) + " faces, alpha " + std::to_string(wanted));
-            const Run result = run(*mesh, patch, wanted);
+            const auto result = run(*mesh, patch, wanted);
             tally.add(result);
         }
         std::cout << GetParam().name << ": " << tally << '\n';
