@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "fill/collapse.h"
+#include "adapt/coarsen.h"
 #include "fill/plan.h"
 #include "geometry/embed.h"
 #include "geometry/plane.h"
@@ -63,7 +63,13 @@ public:
             keep_angles();
     }
 
-    using Group = std::vector<fill::Candidate>;
+    // A filling by its numbers, made when asked for.
+    struct Offer {
+        std::int64_t faces = 0;
+        int singularities = 0;
+        std::function<Shape()> build;
+    };
+    using Group = std::vector<Offer>;
     using Source = std::function<Group()>; // the next group each time, empty at the end
 
     // Where fillings come from, best first, all made only when asked for.
@@ -95,15 +101,18 @@ public:
     }
 
     // The filling that is there, if it has the wanted numbers.
-    std::optional<fill::Candidate> present() const {
+    std::optional<Offer> present() const {
         const auto faces = static_cast<std::int64_t>(old.quads.size());
         if (goal_.forbid_old || (!goal_.any_count && goal_.faces != faces))
             return std::nullopt;
-        return fill::Candidate{faces, old_singular_all_, 0, [this] { return old; }};
+        return Offer{faces, old_singular_all_, [this] { return Shape{old, old_positions_}; }};
     }
 
-    // The boundary is so long for the faces in it that few templates follow its turns.
-    bool ragged() const { return window.loop.size() * window.loop.size() > 64 * window.faces.size(); }
+    // The boundary is so long for the faces, present or wanted, that templates seldom follow its turns.
+    bool ragged() const {
+        const auto length = static_cast<std::int64_t>(window.loop.size());
+        return length * length > 64 * static_cast<std::int64_t>(window.faces.size()) || length * length > 52 * goal_.faces;
+    }
 
     // No edge of the filling may double one outside.
     bool fits(const fill::Filling &filling) const {
@@ -136,13 +145,14 @@ public:
         return count;
     }
 
-    geometry::Embedding embed(const fill::Filling &filling) const {
+    geometry::Embedding embed(const Shape &shape) const {
         geometry::EmbedOptions options;
         options.steps = settings_.smooth_steps;
-        if (&filling == &old || filling.quads == old.quads) {
+        const fill::Filling &filling = shape.filling;
+        if (!shape.positions.empty()) {
             std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
             std::fill_n(fixed.begin(), window.loop.size(), 1);
-            geometry::Embedding kept = geometry::improve(old.quads, fixed, old_positions_, options);
+            geometry::Embedding kept = geometry::improve(filling.quads, fixed, shape.positions, options);
             if (kept.valid)
                 return kept;
         }
@@ -209,13 +219,24 @@ private:
     };
 
     static Source templates(fill::Request request) {
-        return [plan = std::make_shared<fill::Plan>(std::move(request))] { return plan->next(); };
+        return [plan = std::make_shared<fill::Plan>(std::move(request))] {
+            Group group;
+            for (fill::Candidate &candidate : plan->next())
+                group.push_back({candidate.faces, candidate.singularities,
+                                 [make = std::move(candidate.build)] { return Shape{make(), {}}; }});
+            return group;
+        };
     }
 
     // Quads of the present filling collapsed, for when nothing more regular is valid.
     Source collapsed() const {
-        return [this, done = false]() mutable {
-            return std::exchange(done, true) ? Group{} : fill::plan_by_collapse(request(), old);
+        return [this, round = std::uint64_t{0}]() mutable {
+            Group group;
+            for (; group.empty() && round < 8 && goal_.faces < static_cast<std::int64_t>(old.quads.size()); ++round)
+                if (auto coarse = coarsen(request(), {old, old_positions_}, settings_.seed + 1000003 * round))
+                    group.push_back({goal_.faces, coarse->singularities,
+                                     [shape = std::move(coarse->shape)] { return shape; }});
+            return group;
         };
     }
 
@@ -255,10 +276,12 @@ private:
         request.faces = goal_.faces - kept;
         return [inside, kept, next = templates(std::move(request))] {
             Group group = next();
-            for (fill::Candidate &candidate : group) {
-                candidate.faces += kept;
-                candidate.singularities += inside->singular_outside;
-                candidate.build = [inside, fill = std::move(candidate.build)] { return inside->complete(fill()); };
+            for (Offer &offer : group) {
+                offer.faces += kept;
+                offer.singularities += inside->singular_outside;
+                offer.build = [inside, make = std::move(offer.build)] {
+                    return Shape{inside->complete(make().filling), {}};
+                };
             }
             return group;
         };
@@ -428,7 +451,7 @@ public:
         : site_(site), goal_(goal), settings_(settings), present_(site.present()) {}
 
     Best run() {
-        each([&](const fill::Candidate &candidate, fill::Filling filling) { return !try_one(candidate, std::move(filling)); });
+        each([&](Shape shape) { return !try_one(std::move(shape)); });
         if (first_faces_ < 0)
             refuse_count(site_, goal_);
         if (best_.number < 0)
@@ -440,8 +463,8 @@ public:
 
     Prediction first() {
         std::optional<Prediction> found;
-        each([&](const fill::Candidate &, const fill::Filling &filling) {
-            found = {static_cast<std::int64_t>(filling.quads.size()), singular(site_.valences(filling))};
+        each([&](const Shape &shape) {
+            found = {static_cast<std::int64_t>(shape.filling.quads.size()), singular(site_.valences(shape.filling))};
             return false;
         });
         if (!found)
@@ -453,22 +476,22 @@ private:
     // Visits the fillings that fit until one is refused; the present one comes before the
     // first that has at least as many singularities.
     template <class Visit> void each(const Visit &visit) {
-        auto visit_one = [&](const fill::Candidate &candidate) {
-            fill::Filling filling = candidate.build();
-            return !site_.fits(filling) || visit(candidate, std::move(filling));
+        auto visit_one = [&](const Site::Offer &offer) {
+            Shape shape = offer.build();
+            return !site_.fits(shape.filling) || visit(std::move(shape));
         };
         bool present_left = present_.has_value();
         for (const Site::Source &source : site_.sources()) {
             tried_here_ = 0;
             for (Site::Group group = source(); !group.empty(); group = source())
-                for (const fill::Candidate &candidate : group) {
-                    if (present_ && candidate.singularities >= present_->singularities) {
+                for (const Site::Offer &offer : group) {
+                    if (present_ && offer.singularities >= present_->singularities) {
                         if (goal_.keep_quality)
                             continue;
                         if (std::exchange(present_left, false) && !visit_one(*present_))
                             return;
                     }
-                    if (!visit_one(candidate))
+                    if (!visit_one(offer))
                         return;
                 }
         }
@@ -478,7 +501,8 @@ private:
 
     // Whether the search is over. Fillings with other numbers than the first are tried only if none
     // with the same is valid, or, where the old quality is to be kept, good enough.
-    bool try_one(const fill::Candidate &, fill::Filling filling) {
+    bool try_one(Shape shape) {
+        const fill::Filling &filling = shape.filling;
         auto valences = site_.valences(filling);
         const auto faces = static_cast<std::int64_t>(filling.quads.size());
         const std::int64_t singular_now = singular(valences);
@@ -496,24 +520,24 @@ private:
         later_ += as_predicted ? 0 : 1;
         ++tried_;
         ++tried_here_;
-        return judge(std::move(filling), std::move(valences), as_predicted ? 0 : later_);
+        return judge(std::move(shape), std::move(valences), as_predicted ? 0 : later_);
     }
 
     // Whether the filling is good enough to end the search.
-    bool judge(fill::Filling filling, std::map<int, std::int64_t> valences, std::int64_t number) {
-        geometry::Embedding embedding = site_.embed(filling);
+    bool judge(Shape shape, std::map<int, std::int64_t> valences, std::int64_t number) {
+        geometry::Embedding embedding = site_.embed(shape);
         const double quality = embedding.min_scaled_jacobian;
         if (!embedding.valid || quality <= settings_.min_quality)
             return false;
         if (best_.number < 0 || quality > best_.embedding.min_scaled_jacobian)
-            best_ = {std::move(filling), std::move(embedding), std::move(valences), number};
+            best_ = {std::move(shape.filling), std::move(embedding), std::move(valences), number};
         return quality >= (goal_.keep_quality ? site_.old_quality : std::min(site_.old_quality, comfortable));
     }
 
     const Site &site_;
     const Goal &goal_;
     const Settings &settings_;
-    const std::optional<fill::Candidate> present_;
+    const std::optional<Site::Offer> present_;
     Best best_;
     std::int64_t first_faces_ = -1, first_singular_ = -1, later_ = 0, tried_ = 0, tried_here_ = 0;
 };

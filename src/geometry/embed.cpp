@@ -52,10 +52,11 @@ bool find_valid(const Problem &problem, Loop loop, Points &points, int sweeps) {
     const Tutte tutte(problem.stars, problem.fixed);
     if (!tutte.solve(points))
         return false;
-    if (untangle(problem, points, sweeps))
+    std::ptrdiff_t effort = untangling_effort(problem);
+    if (untangle(problem, points, sweeps, effort))
         return true;
     Points other = points;
-    if (!start_from_circle(tutte, loop, other) || !untangle(problem, other, sweeps))
+    if (!start_from_circle(tutte, loop, other) || !untangle(problem, other, sweeps, effort))
         return false;
     points = std::move(other);
     return true;

@@ -118,7 +118,8 @@ void open_squeezed(const Problem &problem, Points &points, Floor floor) {
         return;
     Points other = points;
     const Region region(problem, squeezed, 3);
-    newton(problem, region, other, 20, squeezed_below);
+    int iterations = 20;
+    newton(problem, region, other, iterations, squeezed_below);
     for (const int q : region.quads)
         if (const auto i = static_cast<std::size_t>(q);
             !(worst_of(problem, i, other, true).openness() > before) ||
@@ -182,7 +183,8 @@ Embedding improve(Quads quads, std::span<const char> fixed, Points positions, co
     Points points = start.positions;
     double floor = start.min_scaled_jacobian * std::abs(start.min_scaled_jacobian);
     if (!start.valid) {
-        if (untangle(problem, points, options.untangle_sweeps))
+        std::ptrdiff_t effort = untangling_effort(problem);
+        if (untangle(problem, points, options.untangle_sweeps, effort))
             floor = 0;
         else
             points = start.positions;

@@ -121,6 +121,7 @@ class RegionNewton {
 };
 
 constexpr double least_epsilon = 1e-9;
+constexpr double left_behind = 0.1; // epsilon over the worst negative determinant
 
 double chi(double d, double epsilon) {
     const double root = std::sqrt(epsilon * epsilon + d * d);
@@ -160,14 +161,17 @@ double worst_determinant(const Problem &problem, std::span<const int> quads, con
     return worst;
 }
 
-bool newton(const Problem &problem, const Region &region, Points &points, int iterations, double margin) {
+bool newton(const Problem &problem, const Region &region, Points &points, int &iterations, double margin) {
     if (region.vertices.empty())
         return worst_determinant(problem, region.quads, points) > margin;
     RegionNewton solver(problem, region);
     Barrier barrier{.area = problem.area};
     double worst = worst_determinant(problem, region.quads, points);
     barrier.epsilon = 1;
-    for (int iteration = 0; iteration < iterations && worst <= margin; ++iteration) {
+    for (; iterations > 0 && worst <= margin; --iterations) {
+        // epsilon follows a determinant that rises; one that it leaves behind will not.
+        if (barrier.epsilon < left_behind * -worst)
+            break;
         const double before = solver.energy(barrier, points);
         const bool gained = solver.step(barrier, points);
         const double after = solver.energy(barrier, points);

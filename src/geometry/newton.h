@@ -22,8 +22,10 @@ struct Region {
 double worst_determinant(const Problem &problem, std::span<const int> quads, const Points &points);
 
 // Minimises the barrier with epsilon falling from 1 by the rule that Garanzha et al. prove to
-// end in an untangled state, until every corner determinant of the region, over the wanted
-// area, exceeds `margin`. True if it got there.
-bool newton(const Problem &problem, const Region &region, Points &points, int iterations, double margin);
+// end in an untangled state, if there is one, until every corner determinant of the region,
+// over the wanted area, exceeds `margin`. True if it got there. Gives up once epsilon has
+// fallen far below the determinant of a corner that stays negative. `iterations` is the most
+// it may make and is lowered by those made.
+bool newton(const Problem &problem, const Region &region, Points &points, int &iterations, double margin);
 
 } // namespace alphamst::geometry

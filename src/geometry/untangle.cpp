@@ -15,6 +15,8 @@ namespace {
 // change of scale cannot turn one back.
 constexpr double positive = 1e-9;
 
+constexpr std::ptrdiff_t effort_per_quad = 40, least_effort = 20000;
+
 std::vector<int> tangled(const Problem &problem, const Points &points) {
     std::vector<int> quads;
     for (int q = 0; q < static_cast<int>(problem.quads.size()); ++q)
@@ -50,10 +52,10 @@ bool sweep_vertices(const Problem &problem, Region &region, Points &points, int 
         if (worst > 0.95 * best) {
             best = worst;
             without_gain = 0;
-        } else if (++without_gain % 8 == 0) {
+        } else if (++without_gain % 4 == 0) {
             const std::size_t before = region.vertices.size();
             region.extend(problem, 3);
-            if (without_gain >= 24 || region.vertices.size() == before)
+            if (without_gain >= 12 || region.vertices.size() == before)
                 return false;
         }
         barrier.epsilon = std::sqrt(1e-12 + 0.04 * worst * worst);
@@ -65,7 +67,11 @@ bool sweep_vertices(const Problem &problem, Region &region, Points &points, int 
 
 } // namespace
 
-bool untangle(const Problem &problem, Points &points, int sweeps) {
+std::ptrdiff_t untangling_effort(const Problem &problem) {
+    return effort_per_quad * static_cast<std::ptrdiff_t>(problem.quads.size()) + least_effort;
+}
+
+bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t &effort) {
     std::vector<int> bad = tangled(problem, points);
     if (bad.empty())
         return true;
@@ -75,17 +81,23 @@ bool untangle(const Problem &problem, Points &points, int sweeps) {
     if (sweep_vertices(problem, near, points, sweeps))
         return true;
     const auto free = std::count(problem.fixed.begin(), problem.fixed.end(), char(0));
-    for (int layers = 4; layers <= 64; layers *= 2) {
-        bad = tangled(problem, points);
-        if (bad.empty())
-            return true;
+    bad = tangled(problem, points);
+    int layers = 4;
+    while (layers < 64 && 2 * layers * layers < static_cast<int>(bad.size()))
+        layers *= 2;
+    for (; layers <= 64 && !bad.empty(); layers *= 2, bad = tangled(problem, points)) {
         const Region region(problem, bad, layers);
-        if (newton(problem, region, points, std::min(sweeps, 60), positive))
+        const auto size = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(region.vertices.size()));
+        const int most = static_cast<int>(std::min<std::ptrdiff_t>(std::min(sweeps, 60), effort / size));
+        int iterations = most;
+        const bool done = newton(problem, region, points, iterations, positive);
+        effort -= size * (most - iterations);
+        if (done)
             return true;
-        if (static_cast<std::ptrdiff_t>(region.vertices.size()) >= free)
+        if (size >= free || most < 1)
             break;
     }
-    return false;
+    return bad.empty();
 }
 
 } // namespace alphamst::geometry

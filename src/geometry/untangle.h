@@ -1,6 +1,8 @@
 // Turning every corner positive.
 #pragma once
 
+#include <cstddef>
+
 #include "geometry/star.h"
 
 namespace alphamst::geometry {
@@ -8,7 +10,12 @@ namespace alphamst::geometry {
 // Garanzha et al. (2021): minimises the regularised barrier while epsilon falls with the
 // worst corner. First vertex by vertex near the bad corners, then, for what is left, by
 // Newton's method on all vertices of a region around them that grows up to the whole.
-// True if every corner is positive.
-bool untangle(const Problem &problem, Points &points, int sweeps);
+// True if every corner is positive. The effort, in vertices times iterations of Newton's method,
+// is at most `effort`, which is lowered by what was spent: so the time is bounded by a multiple
+// of the number of vertices also where there is no solution.
+bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t &effort);
+
+// Effort that a disk deserves.
+std::ptrdiff_t untangling_effort(const Problem &problem);
 
 } // namespace alphamst::geometry

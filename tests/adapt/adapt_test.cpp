@@ -61,7 +61,7 @@ TEST(Adapt, AgainAndAgain) { // what is renumbered must be found again
 }
 
 TEST(Adapt, RegularBlockBecomesFinerAndCoarser) {
-    for (const double alpha : {0.5, 2.0, 3.0}) {
+    for (const double alpha : {0.6, 0.8, 1.25, 2.0, 3.0}) {
         const Middle middle;
         const auto result = run(middle.mesh, middle.faces, alpha);
         ASSERT_FALSE(result.outcome.fault) << result.outcome.text;

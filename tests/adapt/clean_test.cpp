@@ -88,7 +88,7 @@ TEST(Clean, SplitsHighValences) {
 
 TEST(Clean, SplitsTheMiddleOfStars) {
     for (const int n : {6, 7, 8}) {
-        mesh::QuadMesh mesh = star(n, 5).mesh;
+        mesh::QuadMesh mesh = star(n, 5);
         ASSERT_EQ(count(mesh, 6, 8), 1);
         const Outcome outcome = clean(mesh, {}, silent);
         EXPECT_FALSE(outcome.fault) << outcome.text;
@@ -119,17 +119,38 @@ TEST(Clean, LeavesAGoodMesh) {
 }
 
 TEST(Clean, LeavesWhatIsHeldAndSaysSo) {
-    mesh::QuadMesh mesh = star(6, 4).mesh;
-    mesh.vertex_flags[0] = mesh::fixed; // the middle
-    ASSERT_EQ(mesh.valence(0), 6);
+    mesh::QuadMesh mesh = star(6, 4);
+    mesh.vertex_flags.assign(mesh.vertex_flags.size(), mesh::fixed);
     const auto before = mesh.checksum();
     const Outcome outcome = clean(mesh, {}, silent);
     EXPECT_EQ(outcome.fault, Fault::no_filling);
     EXPECT_EQ(mesh.checksum(), before);
 }
 
+TEST(Clean, FixedVertexStaysWhereItIs) { // it may lose edges, but neither goes nor moves
+    mesh::QuadMesh mesh = star(6, 4);
+    mesh.vertex_flags[0] = mesh::fixed; // the middle
+    const OpenMesh::Vec3d middle = mesh.point(0);
+    clean(mesh, {}, silent);
+    EXPECT_NO_THROW(mesh.check());
+    const auto place = std::find(mesh.vertex_origin.begin(), mesh.vertex_origin.end(), 0);
+    ASSERT_NE(place, mesh.vertex_origin.end());
+    const auto v = static_cast<int>(place - mesh.vertex_origin.begin());
+    EXPECT_EQ(mesh.point(v), middle);
+    EXPECT_EQ(mesh.vertex_flags[static_cast<std::size_t>(v)], mesh::fixed);
+}
+
+// Not yet so: faces that are FIXED are refilled like others.
+TEST(Clean, DISABLED_LeavesFixedFaces) {
+    mesh::QuadMesh mesh = star(6, 4);
+    mesh.face_flags.assign(mesh.face_flags.size(), mesh::fixed);
+    const auto before = mesh.checksum();
+    EXPECT_EQ(clean(mesh, {}, silent).fault, Fault::no_filling);
+    EXPECT_EQ(mesh.checksum(), before);
+}
+
 TEST(Clean, CancelComesThrough) {
-    mesh::QuadMesh mesh = star(6, 4).mesh;
+    mesh::QuadMesh mesh = star(6, 4);
     const auto before = mesh.checksum();
     EXPECT_THROW(clean(mesh, {}, [](double, const char *) { throw Failure(Fault::cancelled, "stop"); }),
                  Failure);

@@ -51,14 +51,9 @@ inline std::vector<int> block(int nx, int i0, int j0, int i1, int j1) {
     return faces;
 }
 
-// n sectors of m by m rhombi around a vertex: a polygon of n sides of 2 m edges. Its corners
-// are in `corners`.
-struct Star {
-    mesh::QuadMesh mesh;
-    std::vector<int> corners;
-};
-
-inline Star star(int n, int m) {
+// n sectors of m by m rhombi around vertex 0: a polygon of n sides of 2 m edges. Sector k has
+// the faces k * m * m + a * m + b, a and b away from the middle.
+inline mesh::QuadMesh star(int n, int m) {
     std::vector<double> points;
     std::vector<std::int32_t> faces;
     std::map<std::array<int, 3>, int> vertices; // sector, along its spoke, along the next
@@ -76,15 +71,12 @@ inline Star star(int n, int m) {
         }
         return it->second;
     };
-    std::vector<int> corners;
-    for (int k = 0; k < n; ++k) {
+    for (int k = 0; k < n; ++k)
         for (int a = 0; a < m; ++a)
             for (int b = 0; b < m; ++b)
                 for (const auto &[i, j] : {std::pair(a, b), {a + 1, b}, {a + 1, b + 1}, {a, b + 1}})
                     faces.push_back(vertex(k, i, j));
-        corners.push_back(vertex(k, m, m));
-    }
-    return {mesh::QuadMesh::build(2, points, faces), corners};
+    return mesh::QuadMesh::build(2, points, faces);
 }
 
 // Every vertex inside goes to the mean of its neighbours, again and again.

@@ -71,8 +71,8 @@ void campaign(int corners, std::size_t sample) {
     }
 }
 
-// As far as the brute force gets. No filling is larger than the face limit, a share of the squared
-// perimeter: triangles are the largest and have about 1/12.
+// As far as the brute force gets. It looks at fillings up to a share of the squared perimeter, well
+// above the largest ones known (one singularity in a triangle: 1/12).
 TEST(Polygon, TableIsTheBruteForce) {
     struct Range {
         int corners, longest, perimeter;

@@ -1,4 +1,4 @@
-#include "fill/collapse.h"
+#include "adapt/coarsen.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,15 +7,15 @@
 
 #include "fill/random.h"
 
-namespace alphamst::fill {
+namespace alphamst::adapt {
 namespace {
 
 // A filling under collapses: the vertex a of a quad (a, b, c, d) moves onto c, b and d lose the quad.
 class Collapser {
 public:
-    Collapser(const Request &request, const Filling &old, std::uint64_t seed)
-        : request_(request), boundary_(old.boundary), quads_(old.quads), alive_(quads_.size(), 1),
-          at_(static_cast<std::size_t>(old.vertices)), random_(seed) {
+    Collapser(const fill::Request &request, const Shape &old, std::uint64_t seed)
+        : request_(request), boundary_(old.filling.boundary), points_(old.positions), quads_(old.filling.quads), alive_(quads_.size(), 1),
+          at_(static_cast<std::size_t>(old.filling.vertices)), random_(seed) {
         for (std::size_t q = 0; q < quads_.size(); ++q)
             for (const int v : quads_[q])
                 at_[static_cast<std::size_t>(v)].push_back(q);
@@ -30,14 +30,19 @@ public:
             if (queue_.empty())
                 return false;
             const Entry best = *queue_.begin();
-            collapse(best.quad, best.corner);
+            if (!collapse(best.quad, best.corner)) {
+                queue_.erase(queue_.begin()); // until something changes around it
+                entry_[best.quad].cost = 5000;
+                continue;
+            }
             --left;
         }
         return true;
     }
 
-    Filling result() const {
-        Filling filling{boundary_, boundary_, {}};
+    Shape result() const {
+        Shape shape{{boundary_, boundary_, {}}, {points_.begin(), points_.begin() + boundary_}};
+        fill::Filling &filling = shape.filling;
         std::vector<int> name(at_.size(), -1);
         for (int v = 0; v < filling.boundary; ++v)
             name[static_cast<std::size_t>(v)] = v;
@@ -47,13 +52,15 @@ public:
             std::array<int, 4> quad{};
             for (std::size_t k = 0; k < 4; ++k) {
                 int &number = name[static_cast<std::size_t>(quads_[q][k])];
-                if (number < 0)
+                if (number < 0) {
                     number = filling.vertices++;
+                    shape.positions.push_back(points_[static_cast<std::size_t>(quads_[q][k])]);
+                }
                 quad[k] = number;
             }
             filling.quads.push_back(quad);
         }
-        return filling;
+        return shape;
     }
 
     // Singular vertices as a request counts them.
@@ -138,51 +145,99 @@ private:
             queue_.insert(entry_[q]);
     }
 
-    void collapse(std::size_t q, std::size_t k) {
-        const auto a = static_cast<std::size_t>(quads_[q][k]), c = static_cast<std::size_t>(quads_[q][(k + 2) % 4]);
+    // Smallest scaled Jacobian of the quads at both vertices, quad q left out, with both at p.
+    double worst(std::size_t a, std::size_t c, std::size_t q, const Eigen::Vector2d &p) const {
+        double least = 1;
+        for (const std::size_t v : {a, c})
+            for (const std::size_t r : at_[v]) {
+                if (r == q)
+                    continue;
+                std::array<Eigen::Vector2d, 4> x;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const auto u = static_cast<std::size_t>(quads_[r][k]);
+                    x[k] = u == a || u == c ? p : points_[u];
+                }
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const Eigen::Vector2d next = x[(k + 1) % 4] - x[k], before = x[(k + 3) % 4] - x[k];
+                    const double size = next.norm() * before.norm();
+                    const double area = next.x() * before.y() - next.y() * before.x();
+                    least = std::min(least, size > 0 ? area / size : -1.0);
+                }
+            }
+        return least;
+    }
+
+    // To the mean of its neighbours, if that makes its worst corner better.
+    void relax(std::size_t v) {
+        if (!inside(v) || at_[v].empty())
+            return;
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+        for (const std::size_t r : at_[v])
+            for (std::size_t k = 0; k < 4; ++k)
+                if (quads_[r][k] == static_cast<int>(v))
+                    mean += points_[static_cast<std::size_t>(quads_[r][(k + 1) % 4])] / static_cast<double>(at_[v].size());
+        const std::size_t none = quads_.size();
+        if (worst(v, v, none, mean) > worst(v, v, none, points_[v]))
+            points_[v] = mean;
+    }
+
+    bool collapse(std::size_t q, std::size_t k) {
+        const std::array<int, 4> quad = quads_[q];
+        const auto corner = [&](std::size_t i) { return static_cast<std::size_t>(quad[(k + i) % 4]); };
+        const std::size_t a = corner(0), c = corner(2);
+        constexpr double flat = 0.02; // a corner below this is as good as turned over
+        Eigen::Vector2d place = points_[c];
+        double best = worst(a, c, q, place);
+        if (inside(c))
+            for (const Eigen::Vector2d &p : {Eigen::Vector2d((points_[a] + points_[c]) / 2), points_[a]})
+                if (const double here = worst(a, c, q, p); here > best) {
+                    best = here;
+                    place = p;
+                }
+        if (best < flat)
+            return false;
+        points_[c] = place;
         alive_[q] = 0;
-        for (const int v : quads_[q])
+        for (const int v : quad)
             std::erase(at_[static_cast<std::size_t>(v)], q);
         for (const std::size_t r : at_[a]) {
             std::replace(quads_[r].begin(), quads_[r].end(), static_cast<int>(a), static_cast<int>(c));
             at_[c].push_back(r);
         }
         at_[a].clear();
+        std::set<std::size_t> near;
+        for (const std::size_t v : {c, corner(1), corner(3)})
+            for (const std::size_t r : at_[v])
+                for (const int u : quads_[r])
+                    near.insert(static_cast<std::size_t>(u));
         std::set<std::size_t> changed{q};
-        for (const std::size_t corner : {c, static_cast<std::size_t>(quads_[q][(k + 1) % 4]),
-                                         static_cast<std::size_t>(quads_[q][(k + 3) % 4])})
-            for (const std::size_t r : at_[corner])
-                for (const int v : quads_[r])
-                    changed.insert(at_[static_cast<std::size_t>(v)].begin(), at_[static_cast<std::size_t>(v)].end());
+        for (const std::size_t v : near) {
+            relax(v);
+            changed.insert(at_[v].begin(), at_[v].end());
+        }
         for (const std::size_t r : changed)
             enter(r);
+        return true;
     }
 
-    const Request &request_;
+    const fill::Request &request_;
     const int boundary_;
+    geometry::Points points_;
     std::vector<std::array<int, 4>> quads_;
     std::vector<char> alive_;
     std::vector<std::vector<std::size_t>> at_; // quads at each vertex
     std::vector<Entry> entry_{};
     std::set<Entry> queue_;
-    Random random_;
+    fill::Random random_;
 };
 
 } // namespace
 
-std::vector<Candidate> plan_by_collapse(const Request &request, const Filling &old) {
-    std::vector<Candidate> candidates;
-    if (static_cast<std::int64_t>(old.quads.size()) <= request.faces)
-        return candidates;
-    for (int round = 0; round < request.most; ++round) {
-        Collapser collapser(request, old, request.seed + 1000003 * static_cast<std::uint64_t>(round));
-        if (collapser.reach(request.faces))
-            candidates.push_back({request.faces, collapser.singularities(), 0.01 * round,
-                                  [filling = collapser.result()] { return filling; }});
-    }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate &a, const Candidate &b) { return a.singularities < b.singularities; });
-    return candidates;
+std::optional<Coarse> coarsen(const fill::Request &request, const Shape &old, std::uint64_t seed) {
+    Collapser collapser(request, old, seed);
+    if (static_cast<std::int64_t>(old.filling.quads.size()) <= request.faces || !collapser.reach(request.faces))
+        return std::nullopt;
+    return Coarse{collapser.result(), collapser.singularities()};
 }
 
-} // namespace alphamst::fill
+} // namespace alphamst::adapt
