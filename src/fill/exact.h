@@ -31,7 +31,7 @@ public:
     ExactFiller &operator=(const ExactFiller &) = delete;
 
     // Face counts up to `most` of fillings with exactly v3 and v5 singularities.
-    // Throws TooHard.
+    // Throws TooHard, also for words longer than longest_word and for v3 > 8.
     FaceSet faces(const Word &word, int v3, int v5, int most);
 
     // One filling with exactly these numbers; different seeds may give different ones.

@@ -12,7 +12,7 @@ namespace {
 constexpr int n_runs = 5000, n_unchanged = 500; // for each mesh
 constexpr double least = 20, most = 2000;
 #else
-constexpr int n_runs = 150, n_unchanged = 50;
+constexpr int n_runs = 250, n_unchanged = 50;
 constexpr double least = 20, most = 600;
 #endif
 

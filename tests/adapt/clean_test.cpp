@@ -120,7 +120,7 @@ TEST(Clean, LeavesAGoodMesh) {
 
 TEST(Clean, LeavesWhatIsHeldAndSaysSo) {
     mesh::QuadMesh mesh = star(6, 4);
-    mesh.vertex_flags.assign(mesh.vertex_flags.size(), mesh::fixed);
+    mesh.edge_flags.assign(mesh.edge_flags.size(), mesh::fixed);
     const auto before = mesh.checksum();
     const Outcome outcome = clean(mesh, {}, silent);
     EXPECT_EQ(outcome.fault, Fault::no_filling);
