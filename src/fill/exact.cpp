@@ -416,13 +416,14 @@ ExactFiller::~ExactFiller() = default;
 
 FaceSet ExactFiller::faces(const Word &word, int v3, int v5, int most) {
     const int length = static_cast<int>(word.size());
-    if (length < 4 || length % 2 != 0 || v3 < 0 || v5 < 0 || !balanced(word, {v3, v5}) ||
-        fewest_faces(word, {v3, v5}) > most)
+    if (length < 4 || length % 2 != 0 || v3 < 0 || v5 < 0)
         return {};
     const auto [low, high] = std::minmax_element(word.begin(), word.end());
+    if (length > longest_word || *low < 1 || *high > 4 || most > most_faces)
+        throw TooHard{};
     // With nine valence-3 vertices two vertices could be joined twice, which fronts do not see.
     constexpr int most_v3 = 8;
-    if (length > longest_word || *low < 1 || *high > 4 || most > most_faces || v3 > most_v3)
+    if (v3 > most_v3 && balanced(word, {v3, v5}) && fewest_faces(word, {v3, v5}) <= most)
         throw TooHard{};
     FaceSet within; // counts remembered from a wider search do not belong to the answer
     for (int f = 0; f <= most; ++f)

@@ -18,10 +18,20 @@ Word random_word(std::mt19937 &random, int most_length, int most_letter) {
     return word;
 }
 
+constexpr int most_v3 = 8; // the filler refuses more
+
+// What the brute force finds, less what the filler refuses.
+std::set<oracle::Count> provable(std::set<oracle::Count> counts) {
+    std::erase_if(counts, [](const oracle::Count &count) { return count.v3 > most_v3; });
+    return counts;
+}
+
 std::set<oracle::Count> found(ExactFiller &filler, const Word &word, int most_singularities, int most) {
     std::set<oracle::Count> counts;
     for (int v3 = 0; v3 <= most_singularities; ++v3)
         for (int v5 = 0; v3 + v5 <= most_singularities; ++v5) {
+            if (v3 > most_v3)
+                continue; // refused, see RefusesWordsThatCouldJoinTwoVerticesTwice
             const FaceSet faces = filler.faces(word, v3, v5, most);
             for (int f = 0; f <= most; ++f)
                 if (faces[static_cast<std::size_t>(f)])
@@ -50,7 +60,7 @@ TEST(Exact, EqualsTheBruteForceOnRandomWords) {
         const Word word = random_word(random, 12, 3);
         // A disk with f faces has f + 1 - boundary / 2 inner vertices.
         const int inner = most + 1 - static_cast<int>(word.size()) / 2;
-        const auto expected = oracle::BruteForce(word, inner, inner, most).all();
+        const auto expected = provable(oracle::BruteForce(word, inner, inner, most).all());
         ExactFiller filler(1000000);
         ASSERT_EQ(found(filler, word, inner, most), expected) << testing::PrintToString(word);
         counts += expected.size();
@@ -91,7 +101,7 @@ TEST(Exact, EqualsTheBruteForceWithLettersUpToFour) {
     for (int round = 0; round < 300; ++round) {
         const Word word = random_word(random, 14, 4);
         ExactFiller filler(1000000);
-        const auto expected = oracle::BruteForce(word, 9, 9, 11).all();
+        const auto expected = provable(oracle::BruteForce(word, 9, 9, 11).all());
         ASSERT_EQ(found(filler, word, 10, 11), expected) << testing::PrintToString(word);
         counts += expected.size();
     }
@@ -104,6 +114,8 @@ std::size_t expect_equal(const Word &word, int most) {
     std::size_t counts = 0;
     for (int k = std::abs(excess); k <= std::abs(excess) + 2; k += 2) {
         const int v3 = (k + excess) / 2, v5 = (k - excess) / 2;
+        if (v3 > most_v3)
+            continue;
         std::set<oracle::Count> expected, got;
         for (const oracle::Count &count : oracle::BruteForce(word, v3, v5, most).all())
             if (count.v3 == v3)
@@ -129,8 +141,6 @@ TEST(Exact, EqualsTheBruteForceOnPinchedWords) {
         EXPECT_GT(expect_equal(word, 14), 0u) << testing::PrintToString(word);
 }
 
-// With many valence-3 vertices two of a front can be joined a second time around some of them; that
-// is no filling, whichever boundary vertex comes first.
 // With nine valence-3 vertices a front could join two vertices twice and count such a filling.
 TEST(Exact, RefusesWordsThatCouldJoinTwoVerticesTwice) {
     for (const Word &word : {Word{2, 2, 2, 2, 2, 3, 4, 4}, Word{2, 3, 2, 4, 4, 4}}) {
