@@ -37,8 +37,7 @@ class Failure : public std::exception {
 public:
     // Each {} in text stands for the next of ids (0-based); the first id is
     // the place of the failure when entity is not none.
-    Failure(Fault fault, std::string text, Entity entity = Entity::none,
-            std::vector<std::int64_t> ids = {})
+    Failure(Fault fault, std::string text, Entity entity = Entity::none, std::vector<std::int64_t> ids = {})
         : fault(fault), text(std::move(text)), entity(entity), ids(std::move(ids)) {}
 
     const char *what() const noexcept override { return text.c_str(); }

@@ -21,10 +21,10 @@ namespace alphamst::adapt {
 struct Settings {
     std::uint64_t seed = 0;
     int smooth_steps = 20;
-    int candidates = 16;             // fillings to try in a patch before it is left
-    std::int64_t node_limit = 1000;  // effort of one exact search
-    double min_quality = 0;          // a filling must have a larger scaled Jacobian
-    int threads = 1;                 // 0: all cores
+    int candidates = 16;            // fillings to try in a patch before it is left
+    std::int64_t node_limit = 1000; // effort of one exact search
+    double min_quality = 0;         // a filling must have a larger scaled Jacobian
+    int threads = 1;                // 0: all cores
 };
 
 // Called on the calling thread only, between steps; throws Failure (cancelled) to stop.
@@ -63,8 +63,8 @@ std::vector<Outcome> reduce_singularities(mesh::QuadMesh &mesh, std::vector<Regi
 
 // Moves the vertices inside the face sets, or of the whole mesh when patches is null; vertices on the
 // mesh boundary and flagged ones stay. One outcome per patch, or one for the mesh.
-std::vector<Outcome> smooth(mesh::QuadMesh &mesh, const std::vector<Region> *patches, const Settings &settings,
-                            const Progress &progress);
+std::vector<Outcome> smooth(mesh::QuadMesh &mesh, const std::vector<Region> *patches,
+                            const Settings &settings, const Progress &progress);
 
 // Removes doublets and splits valences above 5, each by refilling a small window
 // around the vertex. One outcome for the mesh.

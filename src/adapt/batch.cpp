@@ -12,8 +12,8 @@ namespace {
 class Numbers {
 public:
     Numbers(const mesh::QuadMesh &mesh, const std::vector<Region> &patches)
-        : owner_(static_cast<std::size_t>(mesh.n_faces()), -1), vertex_(static_cast<std::size_t>(mesh.n_vertices())),
-          start_(vertex_.size()) {
+        : owner_(static_cast<std::size_t>(mesh.n_faces()), -1),
+          vertex_(static_cast<std::size_t>(mesh.n_vertices())), start_(vertex_.size()) {
         std::iota(vertex_.begin(), vertex_.end(), 0);
         std::iota(start_.begin(), start_.end(), 0);
         for (std::size_t p = 0; p < patches.size(); ++p)
@@ -122,7 +122,8 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
                 for (std::size_t k = 0; k < i; ++k)
                     for (const auto &[from, to] : proposals[k].moved_vertices) {
                         std::replace(proposal.window.loop.begin(), proposal.window.loop.end(), from, to);
-                        std::replace(proposal.window.interior.begin(), proposal.window.interior.end(), from, to);
+                        std::replace(proposal.window.interior.begin(), proposal.window.interior.end(), from,
+                                     to);
                     }
                 const auto replaced = commit(mesh, proposal);
                 proposal.moved_vertices = replaced.moved_vertices;

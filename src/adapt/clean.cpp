@@ -92,7 +92,8 @@ Outcome clean(mesh::QuadMesh &mesh, const Settings &settings, const Progress &pr
     count(mesh, outcome.valences_before, outcome.singular_before);
     // Each pass goes over all vertices; what one repair makes possible for another waits for the next.
     const std::int64_t first = std::max<std::int64_t>(1, bad_count(outcome.valences_before));
-    for (std::int64_t left = bad_count(outcome.valences_before), before = left + 1; left > 0 && left < before;) {
+    for (std::int64_t left = bad_count(outcome.valences_before), before = left + 1;
+         left > 0 && left < before;) {
         before = left;
         progress(1 - static_cast<double>(left) / static_cast<double>(first), "clean");
         for (int v = 0; v < mesh.n_vertices(); ++v)
@@ -110,8 +111,9 @@ Outcome clean(mesh::QuadMesh &mesh, const Settings &settings, const Progress &pr
     outcome.singular_bound = 0;
     if (bad_count(outcome.valences_after) > 0) {
         outcome.fault = Fault::no_filling;
-        outcome.text = std::to_string(bad_count(outcome.valences_after)) +
-                       " vertices keep a valence below 3 or above 5; no valid refilling of their surroundings was found";
+        outcome.text =
+            std::to_string(bad_count(outcome.valences_after)) +
+            " vertices keep a valence below 3 or above 5; no valid refilling of their surroundings was found";
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;

@@ -14,7 +14,8 @@ namespace {
 class Collapser {
 public:
     Collapser(const fill::Request &request, const Shape &old, std::uint64_t seed)
-        : request_(request), boundary_(old.filling.boundary), points_(old.positions), quads_(old.filling.quads), alive_(quads_.size(), 1),
+        : request_(request), boundary_(old.filling.boundary), points_(old.positions),
+          quads_(old.filling.quads), alive_(quads_.size(), 1),
           at_(static_cast<std::size_t>(old.filling.vertices)), random_(seed) {
         for (std::size_t q = 0; q < quads_.size(); ++q)
             for (const int v : quads_[q])
@@ -109,7 +110,8 @@ private:
             std::sort(list.begin(), list.end());
             list.erase(std::unique(list.begin(), list.end()), list.end());
         }
-        std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
+        std::set_intersection(first.begin(), first.end(), second.begin(), second.end(),
+                              std::back_inserter(both));
         return both.size() == 2 && std::find(both.begin(), both.end(), b) != both.end() &&
                std::find(both.begin(), both.end(), d) != both.end();
     }
@@ -175,7 +177,8 @@ private:
         for (const std::size_t r : at_[v])
             for (std::size_t k = 0; k < 4; ++k)
                 if (quads_[r][k] == static_cast<int>(v))
-                    mean += points_[static_cast<std::size_t>(quads_[r][(k + 1) % 4])] / static_cast<double>(at_[v].size());
+                    mean += points_[static_cast<std::size_t>(quads_[r][(k + 1) % 4])] /
+                            static_cast<double>(at_[v].size());
         const std::size_t none = quads_.size();
         if (worst(v, v, none, mean) > worst(v, v, none, points_[v]))
             points_[v] = mean;
@@ -235,7 +238,8 @@ private:
 
 std::optional<Coarse> coarsen(const fill::Request &request, const Shape &old, std::uint64_t seed) {
     Collapser collapser(request, old, seed);
-    if (static_cast<std::int64_t>(old.filling.quads.size()) <= request.faces || !collapser.reach(request.faces))
+    if (static_cast<std::int64_t>(old.filling.quads.size()) <= request.faces ||
+        !collapser.reach(request.faces))
         return std::nullopt;
     return Coarse{collapser.result(), collapser.singularities()};
 }

@@ -10,17 +10,17 @@
 namespace alphamst::adapt {
 
 struct Goal {
-    std::int64_t faces = 0;  // wanted
-    bool any_count = false;  // fewest singularities first, faces only as near as possible
+    std::int64_t faces = 0;    // wanted
+    bool any_count = false;    // fewest singularities first, faces only as near as possible
     bool keep_quality = false; // prefer fillings whose smallest scaled Jacobian is not below the old one
-    bool forbid_old = false; // the old filling is no answer
+    bool forbid_old = false;   // the old filling is no answer
 };
 
 struct Proposal {
     patch::Window window;
     fill::Filling filling;
-    std::vector<OpenMesh::Vec3d> points; // of the new vertices
-    Outcome outcome;                     // outcome.fault: there is nothing to commit
+    std::vector<OpenMesh::Vec3d> points;            // of the new vertices
+    Outcome outcome;                                // outcome.fault: there is nothing to commit
     std::vector<std::array<int, 2>> moved_vertices; // by its commit
 };
 
@@ -29,7 +29,8 @@ struct Proposal {
 Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings);
 
 // The numbers of the first filling that propose would try. Throws Failure where there is none.
-Prediction first_choice(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings);
+Prediction first_choice(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal,
+                        const Settings &settings);
 
 // Puts the proposal into the mesh.
 mesh::QuadMesh::Replaced commit(mesh::QuadMesh &mesh, const Proposal &proposal);

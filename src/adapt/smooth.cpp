@@ -51,7 +51,8 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     std::vector<char> fixed;
     std::vector<Eigen::Vector3d> points;
     Outcome outcome;
-    outcome.faces_before = outcome.faces_after = outcome.faces_wanted = static_cast<std::int64_t>(faces.size());
+    outcome.faces_before = outcome.faces_after = outcome.faces_wanted =
+        static_cast<std::int64_t>(faces.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const int v = vertices[i];
         const int valence = mesh.valence(v);
@@ -72,7 +73,8 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
         Eigen::Vector3d normal = Eigen::Vector3d::Zero(), low = points[0], high = points[0];
         for (const auto &quad : quads)
             normal += (points[static_cast<std::size_t>(quad[2])] - points[static_cast<std::size_t>(quad[0])])
-                          .cross(points[static_cast<std::size_t>(quad[3])] - points[static_cast<std::size_t>(quad[1])]);
+                          .cross(points[static_cast<std::size_t>(quad[3])] -
+                                 points[static_cast<std::size_t>(quad[1])]);
         for (const auto &p : points) {
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
@@ -104,8 +106,8 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
 
 } // namespace
 
-std::vector<Outcome> smooth(mesh::QuadMesh &mesh, const std::vector<Region> *patches, const Settings &settings,
-                            const Progress &progress) {
+std::vector<Outcome> smooth(mesh::QuadMesh &mesh, const std::vector<Region> *patches,
+                            const Settings &settings, const Progress &progress) {
     std::vector<Outcome> outcomes;
     if (patches == nullptr) {
         progress(0, "smooth");

@@ -46,8 +46,7 @@ public:
                 } else if (level == 8) {
                     changed_sides(b, 2);
                     hexagon_core(b);
-                }
-                else if (level == 12)
+                } else if (level == 12)
                     changed_sides(b, 4);
             }
         return std::move(plans_);
@@ -168,8 +167,14 @@ private:
                 if (!positive || rest < 2 * size * changed || rest > 2 * size * changed * most ||
                     rest % (2 * size) != 0)
                     continue;
-                Plan plan{outer, core, b, 0, static_cast<std::int64_t>(c0) * c1, {-1, -1, -1, -1},
-                          4 + 2 * changed, query_.faces,
+                Plan plan{outer,
+                          core,
+                          b,
+                          0,
+                          static_cast<std::int64_t>(c0) * c1,
+                          {-1, -1, -1, -1},
+                          4 + 2 * changed,
+                          query_.faces,
                           thinness(core) + 0.5 * thinness(outer) + 0.3 * std::abs(changed - 4)};
                 std::int64_t steps = rest / (2 * size);
                 for (int i = 0, left = changed; i < 4; ++i) {
@@ -179,8 +184,8 @@ private:
                     const std::int64_t v = std::clamp<std::int64_t>(steps / left, 1, most);
                     steps -= v;
                     --left;
-                    plan.transition_faces[k] =
-                        static_cast<std::int64_t>(b) * std::min(outer[k], core[k]) + size * size + 2 * size * v;
+                    plan.transition_faces[k] = static_cast<std::int64_t>(b) * std::min(outer[k], core[k]) +
+                                               size * size + 2 * size * v;
                 }
                 add(std::move(plan));
             }
@@ -191,7 +196,8 @@ private:
     std::vector<Plan> plans_;
 };
 
-bool solve_part(Template &part, const Sides &sides, int singularities, std::int64_t faces, std::uint64_t seed) {
+bool solve_part(Template &part, const Sides &sides, int singularities, std::int64_t faces,
+                std::uint64_t seed) {
     PolygonQuery query;
     query.sides = sides;
     query.singularities = singularities;
@@ -220,13 +226,16 @@ std::vector<AlphaTemplate> solve(const AlphaQuery &query, std::size_t most) {
     for (const Plan &plan : plans) {
         if (result.size() >= most)
             break;
-        AlphaTemplate chosen{plan.outer, plan.core, plan.bridge, {}, {}, plan.faces, plan.singularities, plan.stretch};
-        bool complete = solve_part(chosen.centre, plan.core, plan.core_singularities, plan.core_faces, query.seed);
+        AlphaTemplate chosen{plan.outer, plan.core,  plan.bridge,        {},
+                             {},         plan.faces, plan.singularities, plan.stretch};
+        bool complete =
+            solve_part(chosen.centre, plan.core, plan.core_singularities, plan.core_faces, query.seed);
         for (std::size_t i = 0; i < plan.core.size() && complete; ++i) {
             const int b = plan.bridge, s = plan.outer[i], c = plan.core[i];
             const bool changed = plan.transition_faces[i] >= 0;
-            complete = solve_part(chosen.transitions.emplace_back(), {s, b, c, b}, changed ? 2 : 0,
-                                  changed ? plan.transition_faces[i] : static_cast<std::int64_t>(b) * s, query.seed);
+            complete =
+                solve_part(chosen.transitions.emplace_back(), {s, b, c, b}, changed ? 2 : 0,
+                           changed ? plan.transition_faces[i] : static_cast<std::int64_t>(b) * s, query.seed);
         }
         if (complete)
             result.push_back(std::move(chosen));

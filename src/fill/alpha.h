@@ -10,10 +10,10 @@
 namespace alphamst::fill {
 
 struct AlphaTemplate {
-    Sides outer;      // boundary edges of each transitional patch
-    Sides core;       // sides of the core
-    int bridge = 1;   // edges of every bridge: rings around the core where outer = core
-    Template centre;  // filling of the core
+    Sides outer;                       // boundary edges of each transitional patch
+    Sides core;                        // sides of the core
+    int bridge = 1;                    // edges of every bridge: rings around the core where outer = core
+    Template centre;                   // filling of the core
     std::vector<Template> transitions; // [N] fillings with sides outer_i, bridge, core_i, bridge
     std::int64_t faces = 0;
     int singularities = 0; // one valence-3 vertex a corner of the core, plus the parts' own

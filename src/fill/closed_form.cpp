@@ -13,8 +13,8 @@ std::optional<std::vector<int>> spokes(const Sides &sides) {
     std::vector<int> h(n);
     for (std::size_t i = 0; i < n; ++i) {
         auto side = [&](std::size_t offset) { return sides[(i + offset) % n]; };
-        const int twice = n == 3 ? side(2) + side(1) - side(0)
-                                 : side(4) + side(0) + side(1) - side(3) - side(2);
+        const int twice =
+            n == 3 ? side(2) + side(1) - side(0) : side(4) + side(0) + side(1) - side(3) - side(2);
         h[i] = twice / 2;
         if (twice < 2)
             return std::nullopt;

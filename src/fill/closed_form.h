@@ -19,9 +19,11 @@ std::int64_t spoke_faces(const std::vector<int> &h);
 // A 3-5 pair in a four-sided patch, sides turned and mirrored so that
 // n0 - n2 >= |n1 - n3|: F(u, v) = n1 n2 - (n1 - n3) u + (n0 - n2) v + a c.
 struct Pair {
-    int d1, d2, a, c;           // d1 = n0 - n2, d2 = n1 - n3, a = (d1 - d2) / 2, c = (d1 + d2) / 2
-    int most_u, most_v;         // 1 <= u <= most_u, 1 <= v <= most_v
-    std::int64_t faces(int u, int v) const { return base - static_cast<std::int64_t>(d2) * u + static_cast<std::int64_t>(d1) * v; }
+    int d1, d2, a, c;   // d1 = n0 - n2, d2 = n1 - n3, a = (d1 - d2) / 2, c = (d1 + d2) / 2
+    int most_u, most_v; // 1 <= u <= most_u, 1 <= v <= most_v
+    std::int64_t faces(int u, int v) const {
+        return base - static_cast<std::int64_t>(d2) * u + static_cast<std::int64_t>(d1) * v;
+    }
     std::int64_t base;
 };
 std::optional<Pair> pair(const Sides &sides);

@@ -117,9 +117,7 @@ int fewest_faces(const Word &word, Budget budget) {
     return static_cast<int>(word.size()) / 2 - 1 + budget.total();
 }
 
-bool balanced(const Word &word, Budget budget) {
-    return index(word) == budget.v3 - budget.v5;
-}
+bool balanced(const Word &word, Budget budget) { return index(word) == budget.v3 - budget.v5; }
 
 using Visit = std::function<void(Branch &)>;
 
@@ -225,7 +223,8 @@ void edge_branches(const Word &word, Budget budget, const Visit &visit) {
         for (int j = i + 1; j < length - 2; j += 2)
             for (int si = 1; si < letter(i); ++si)
                 for (int sj = 1; sj < letter(j); ++sj) {
-                    Branch branch{{0, 1, i, j}, {0, 0}, {slice(word, 1, i, rn, si), slice(word, j, 0, sj, rv)}};
+                    Branch branch{
+                        {0, 1, i, j}, {0, 0}, {slice(word, 1, i, rn, si), slice(word, j, 0, sj, rv)}};
                     const int ri = letter(i) - 1 - si, rj = letter(j) - 1 - sj;
                     if (j == i + 1) {
                         if (ri != 0 || rj != 0)
@@ -363,8 +362,8 @@ bool ExactFiller::Memory::build(const Word &word, const std::vector<int> &ids, B
     return false;
 }
 
-bool ExactFiller::Memory::build_parts(const Branch &branch, const std::vector<int> &ids, Budget budget, int faces,
-                                      std::uint64_t seed, Filling &filling) {
+bool ExactFiller::Memory::build_parts(const Branch &branch, const std::vector<int> &ids, Budget budget,
+                                      int faces, std::uint64_t seed, Filling &filling) {
     int fresh[2] = {-1, -1};
     auto id = [&](int position) {
         if (position >= 0)

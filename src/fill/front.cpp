@@ -72,7 +72,8 @@ bool Front::cancel_concave() {
         const bool concave_right = word[(j + right) % length] > 2;
         const std::size_t rows = std::min(left, right);
         const bool wins_left = concave_left && left == rows, wins_right = concave_right && right == rows;
-        if ((!concave_left && left == rows) || (!concave_right && right == rows) || (!wins_left && !wins_right))
+        if ((!concave_left && left == rows) || (!concave_right && right == rows) ||
+            (!wins_left && !wins_right))
             continue; // would run into another corner
         if (2 * rows + row + 2 > length)
             continue;

@@ -9,10 +9,10 @@ namespace alphamst::fill {
 struct Front {
     explicit Front(const Word &word);
 
-    Word word;                              // faces still wanted at each front vertex
-    std::vector<int> ids;                   // [word] vertices of the filling to be
-    std::vector<std::array<int, 4>> quads;  // laid so far
-    int vertices = 0;                       // in use so far
+    Word word;                             // faces still wanted at each front vertex
+    std::vector<int> ids;                  // [word] vertices of the filling to be
+    std::vector<std::array<int, 4>> quads; // laid so far
+    int vertices = 0;                      // in use so far
 
     int corners() const;  // letters 1
     int concaves() const; // surplus of letters above 2

@@ -10,7 +10,9 @@ namespace {
 
 class Groups { // union-find
 public:
-    explicit Groups(int n) : parent_(static_cast<std::size_t>(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
+    explicit Groups(int n) : parent_(static_cast<std::size_t>(n)) {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
     int find(int i) {
         while (parent_[static_cast<std::size_t>(i)] != i)
             i = parent_[static_cast<std::size_t>(i)] =
@@ -124,7 +126,8 @@ Layout extract(const Filling &filling, const std::vector<int> &corners) {
     // line of the edge opposite to it in the vertex's fan.
     Groups lines(static_cast<int>(edges.ends.size()));
     std::map<Edge, std::vector<std::size_t>> quads_of_edge;
-    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> around(static_cast<std::size_t>(filling.vertices));
+    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> around(
+        static_cast<std::size_t>(filling.vertices));
     for (std::size_t q = 0; q < filling.quads.size(); ++q)
         for (std::size_t k = 0; k < 4; ++k)
             around[static_cast<std::size_t>(filling.quads[q][k])].push_back({q, k});
@@ -177,7 +180,8 @@ Layout extract(const Filling &filling, const std::vector<int> &corners) {
     std::vector<int> name(static_cast<std::size_t>(filling.vertices), -1);
     int next = 0;
     for (int pass = 0; pass < 2; ++pass)
-        for (int v = pass == 0 ? 0 : filling.boundary; v < (pass == 0 ? filling.boundary : filling.vertices); ++v) {
+        for (int v = pass == 0 ? 0 : filling.boundary; v < (pass == 0 ? filling.boundary : filling.vertices);
+             ++v) {
             int &number = name[static_cast<std::size_t>(merged.find(v))];
             if (number < 0)
                 number = next++;

@@ -16,12 +16,12 @@ using Multiplicities = std::vector<int>; // [chords], each at least 1
 struct Layout {
     int sides = 0;
     int v3 = 0, v5 = 0;
-    Filling blocks;                            // one quad a block, boundary from the first corner
-    std::vector<int> corners;                  // [sides] boundary vertices, the first is 0
+    Filling blocks;           // one quad a block, boundary from the first corner
+    std::vector<int> corners; // [sides] boundary vertices, the first is 0
     int chords = 0;
-    std::vector<std::array<int, 2>> crossing;  // [blocks] chords across edges 0-1 and 1-2
-    std::vector<std::vector<int>> incidence;   // [sides][chords] ends of the chord on the side
-    std::vector<std::vector<int>> product;     // [chords][chords] symmetric: faces = x' product x / 2
+    std::vector<std::array<int, 2>> crossing; // [blocks] chords across edges 0-1 and 1-2
+    std::vector<std::vector<int>> incidence;  // [sides][chords] ends of the chord on the side
+    std::vector<std::vector<int>> product;    // [chords][chords] symmetric: faces = x' product x / 2
     // A small change z of the multiplicities that keeps every side length;
     // faces(x + t z) = faces(x) + t (slope . x) + t^2 curvature.
     struct Move {

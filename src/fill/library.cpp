@@ -28,7 +28,7 @@ constexpr std::array samples{
     Sample{3, 1, 2, 4, 10, 30, 4, 1},   Sample{3, 3, 2, 8, 16, 50, 40, 2}, Sample{4, 0, 1, 2, 4, 4, 1, 1},
     Sample{4, 2, 2, 5, 16, 40, 40, 2},  Sample{4, 4, 2, 7, 18, 36, 40, 1}, Sample{5, 1, 2, 3, 12, 30, 4, 1},
     Sample{5, 3, 2, 6, 20, 45, 40, 2},  Sample{5, 5, 2, 9, 18, 36, 2, 1},  Sample{6, 2, 2, 4, 18, 45, 40, 2},
-    Sample{6, 4, 2, 9, 22, 40, 2, 1},  Sample{6, 6, 2, 9, 20, 34, 2, 1},
+    Sample{6, 4, 2, 9, 22, 40, 2, 1},   Sample{6, 6, 2, 9, 20, 34, 2, 1},
 };
 
 Word polygon_word(const Sides &sides) {
@@ -95,7 +95,9 @@ std::vector<Layout::Move> moves_of(const Layout &layout) {
         z[j] = 0;
     };
     visit(visit, 0);
-    auto length = [](const Multiplicities &m) { return std::inner_product(m.begin(), m.end(), m.begin(), 0); };
+    auto length = [](const Multiplicities &m) {
+        return std::inner_product(m.begin(), m.end(), m.begin(), 0);
+    };
     std::stable_sort(moves.begin(), moves.end(),
                      [&](const auto &a, const auto &b) { return length(a) < length(b); });
     constexpr std::size_t kept = 48;

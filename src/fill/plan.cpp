@@ -19,9 +19,10 @@ namespace {
 struct Reach {
     double low, high;
 };
-constexpr Reach reaches[6][3] = {{{0.25, 4.0}, {1, 0}, {1, 0}},           {{0.2, 2.0}, {0.15, 3.9}, {1, 0}},
-                                 {{0.5, 1.8}, {0.3, 1.9}, {1, 0}},        {{0.6, 1.25}, {0.2, 1.9}, {0.4, 1.6}},
-                                 {{0.45, 1.05}, {0.3, 1.5}, {0.25, 1.6}}, {{0.5, 0.9}, {0.3, 1.1}, {0.3, 1.4}}};
+constexpr Reach reaches[6][3] = {
+    {{0.25, 4.0}, {1, 0}, {1, 0}},           {{0.2, 2.0}, {0.15, 3.9}, {1, 0}},
+    {{0.5, 1.8}, {0.3, 1.9}, {1, 0}},        {{0.6, 1.25}, {0.2, 1.9}, {0.4, 1.6}},
+    {{0.45, 1.05}, {0.3, 1.5}, {0.25, 1.6}}, {{0.5, 0.9}, {0.3, 1.1}, {0.3, 1.4}}};
 
 } // namespace
 
@@ -30,7 +31,8 @@ constexpr Reach reaches[6][3] = {{{0.25, 4.0}, {1, 0}, {1, 0}},           {{0.2,
 class Plan::Search {
 public:
     explicit Search(Request request)
-        : request_(std::move(request)), readings_(request_), random_(request_.seed + 1), level_(readings_.least()) {}
+        : request_(std::move(request)), readings_(request_), random_(request_.seed + 1),
+          level_(readings_.least()) {}
 
     std::vector<Candidate> next() {
         if (request_.word.size() < 4 || request_.word.size() % 2 != 0)
@@ -41,7 +43,8 @@ public:
             std::vector<Candidate> group = search_levels();
             if (!exact_done_) {
                 exact_done_ = true;
-                std::vector<Candidate> better = exact_fillings(group.empty() ? -1 : group.front().singularities);
+                std::vector<Candidate> better =
+                    exact_fillings(group.empty() ? -1 : group.front().singularities);
                 if (!better.empty()) {
                     waiting_ = std::move(group);
                     return better;
@@ -85,7 +88,8 @@ private:
 // The group of the next level that has any.
 std::vector<Candidate> Plan::Search::search_levels() {
     std::vector<Candidate> group;
-    for (const int first = readings_.least(); level_ <= first + most_levels && solves_ > 0 && group.empty(); ++level_) {
+    for (const int first = readings_.least(); level_ <= first + most_levels && solves_ > 0 && group.empty();
+         ++level_) {
         int tries = 0;
         for (const Reading &option : readings_.up_to(level_)) {
             const int surplus = level_ - option.least;
@@ -116,10 +120,10 @@ std::vector<Candidate> Plan::Search::search_levels() {
 std::vector<Candidate> Plan::Search::exact_fillings(int best) {
     std::vector<Candidate> group;
     const int length = static_cast<int>(request_.word.size());
-    const std::int64_t most =
-        std::min<std::int64_t>(most_faces, request_.any_count ? request_.faces + request_.faces / 2 : request_.faces);
-    if (length > 40 || request_.faces > most || *std::max_element(request_.word.begin(), request_.word.end()) > 4 ||
-        request_.node_limit <= 0)
+    const std::int64_t most = std::min<std::int64_t>(
+        most_faces, request_.any_count ? request_.faces + request_.faces / 2 : request_.faces);
+    if (length > 40 || request_.faces > most ||
+        *std::max_element(request_.word.begin(), request_.word.end()) > 4 || request_.node_limit <= 0)
         return group;
     int base = 0;
     for (std::size_t i = 0; i < request_.word.size(); ++i)
@@ -144,7 +148,7 @@ std::vector<Candidate> Plan::Search::exact_fillings(int best) {
                 auto filling = filler.fill(request_.word, v3, v5, static_cast<int>(nearest), seed);
                 if (filling && different.insert(filling->quads).second)
                     group.push_back({nearest, base + k, 0.1 * static_cast<double>(seed),
-                                           [f = std::move(*filling)] { return f; }});
+                                     [f = std::move(*filling)] { return f; }});
             }
             return group;
         }
@@ -169,9 +173,10 @@ bool Plan::Search::reachable(const Reading &option, int inside) const {
         const auto form = pair(option.sides);
         if (!form)
             return false;
-        const std::int64_t ends[] = {form->faces(1, 1), form->faces(1, form->most_v), form->faces(form->most_u, 1),
-                                     form->faces(form->most_u, form->most_v)};
-        return *std::min_element(ends, ends + 4) - slack_ <= faces && faces <= *std::max_element(ends, ends + 4) + slack_;
+        const std::int64_t ends[] = {form->faces(1, 1), form->faces(1, form->most_v),
+                                     form->faces(form->most_u, 1), form->faces(form->most_u, form->most_v)};
+        return *std::min_element(ends, ends + 4) - slack_ <= faces &&
+               faces <= *std::max_element(ends, ends + 4) + slack_;
     }
     const auto surplus = static_cast<std::size_t>(option.changed + inside - option.least) / 2;
     const double ratio = static_cast<double>(faces) / option.natural;
@@ -197,14 +202,13 @@ void Plan::Search::try_polygon(const Reading &option, int singularities, std::ve
         for (const int copies : t.x)
             spread += std::pow(std::log(static_cast<double>(copies)) - mean, 2);
         const double stretch = std::sqrt(spread / static_cast<double>(t.x.size())) + option.misfit;
-        group.push_back({t.faces + laid, singularities, stretch,
-                               [option, t = std::move(t), boundary] {
-                                   const Filling rest = rotated(build(t, option.sides),
-                                                                (static_cast<int>(option.front->word.size()) -
-                                                                 option.corners[0]) %
-                                                                    static_cast<int>(option.front->word.size()));
-                                   return option.front->close(rest, boundary);
-                               }});
+        group.push_back({t.faces + laid, singularities, stretch, [option, t = std::move(t), boundary] {
+                             const Filling rest =
+                                 rotated(build(t, option.sides),
+                                         (static_cast<int>(option.front->word.size()) - option.corners[0]) %
+                                             static_cast<int>(option.front->word.size()));
+                             return option.front->close(rest, boundary);
+                         }});
     }
 }
 
@@ -221,10 +225,9 @@ void Plan::Search::try_flat(const Reading &option, int singularities, std::vecto
     for (AlphaTemplate &t : solve(query, 3))
         for (int turn = 0; turn < 3; ++turn) {
             const int offset = static_cast<int>(random_() % static_cast<std::uint64_t>(query.perimeter));
-            group.push_back({t.faces + laid, singularities, t.stretch + 0.2 * turn,
-                                   [option, t, offset, boundary] {
-                                       return option.front->close(build(t, offset), boundary);
-                                   }});
+            group.push_back(
+                {t.faces + laid, singularities, t.stretch + 0.2 * turn,
+                 [option, t, offset, boundary] { return option.front->close(build(t, offset), boundary); }});
         }
 }
 

@@ -20,7 +20,8 @@ public:
         const auto chords = static_cast<std::size_t>(type.chords);
         x_.assign(chords, 1);
         for (std::size_t i = 0; i < sides.size(); ++i)
-            rest_.push_back(sides[i] - std::accumulate(type.incidence[i].begin(), type.incidence[i].end(), 0));
+            rest_.push_back(sides[i] -
+                            std::accumulate(type.incidence[i].begin(), type.incidence[i].end(), 0));
         // A side with few open chords is the tightest; its chords come first.
         std::vector<char> used(chords, 0);
         while (order_.size() < chords) {

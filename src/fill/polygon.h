@@ -26,8 +26,8 @@ struct PolygonQuery {
     std::int64_t fewest_faces = 0, most_faces = 0; // accepted range
     std::int64_t faces = 0;                        // nearest to this is best
     std::uint64_t seed = 0;
-    int effort = 40; // steps of the search for the face count in each type
-    int enough = 24; // templates with exactly `faces` faces after which the search ends
+    int effort = 40;     // steps of the search for the face count in each type
+    int enough = 24;     // templates with exactly `faces` faces after which the search ends
     int walks = 1 << 20; // types and turns that are searched for the count; more if none is in range
 };
 

@@ -14,7 +14,9 @@ constexpr double degree = 3.14159265358979323846 / 180;
 
 } // namespace
 
-Readings::Readings(const Request &request) : request_(request), random_(request.seed + 1) { collect_stages(); }
+Readings::Readings(const Request &request) : request_(request), random_(request.seed + 1) {
+    collect_stages();
+}
 
 int Readings::least() const {
     int least = 1 << 20;
@@ -70,8 +72,7 @@ int Readings::buried(const Front &front) const {
 // Every front that cheap rows of quads lead to; their readings come later, as needed.
 void Readings::collect_stages() {
     Front front(request_.word);
-    const std::int64_t most =
-        request_.any_count ? 2 * request_.faces : request_.faces + request_.tolerance;
+    const std::int64_t most = request_.any_count ? 2 * request_.faces : request_.faces + request_.tolerance;
     for (int step = 0; step < 64; ++step) {
         const auto laid = static_cast<std::int64_t>(front.quads.size());
         if (laid + static_cast<std::int64_t>(front.word.size()) / 2 - 1 > most)
@@ -141,8 +142,8 @@ void Readings::read(const std::shared_ptr<const Front> &front) {
 
 // n corners, ascending, all forced ones and some of the pool: in the first rounds evenly spread from
 // one of them, then at random. Empty if the even places coincide.
-std::vector<int> Readings::choose(const std::vector<int> &pool, const std::vector<int> &forced, int n, int round,
-                                 int length) {
+std::vector<int> Readings::choose(const std::vector<int> &pool, const std::vector<int> &forced, int n,
+                                  int round, int length) {
     std::vector<int> chosen = forced, rest = pool;
     if (round < static_cast<int>(pool.size())) {
         const int first = pool[static_cast<std::size_t>(round)];
@@ -160,7 +161,8 @@ std::vector<int> Readings::choose(const std::vector<int> &pool, const std::vecto
         }
     }
     std::sort(chosen.begin(), chosen.end());
-    if (std::adjacent_find(chosen.begin(), chosen.end()) != chosen.end() || static_cast<int>(chosen.size()) != n)
+    if (std::adjacent_find(chosen.begin(), chosen.end()) != chosen.end() ||
+        static_cast<int>(chosen.size()) != n)
         chosen.clear();
     return chosen;
 }
@@ -171,11 +173,12 @@ void Readings::add(const std::shared_ptr<const Front> &front, std::vector<int> c
     const std::size_t n = reading.corners.size();
     for (std::size_t i = 0; i < n; ++i)
         reading.sides.push_back(i + 1 < n ? reading.corners[i + 1] - reading.corners[i]
-                                         : length - reading.corners[i] + reading.corners[0]);
+                                          : length - reading.corners[i] + reading.corners[0]);
     reading.least = base + (n == 0 ? 4 : least_singularities(reading.sides));
     const double rest = static_cast<double>(request_.faces) - static_cast<double>(front->quads.size());
-    reading.natural = n == 4 ? 0.25 * (reading.sides[0] + reading.sides[2]) * (reading.sides[1] + reading.sides[3])
-                            : length * length / 16.0;
+    reading.natural =
+        n == 4 ? 0.25 * (reading.sides[0] + reading.sides[2]) * (reading.sides[1] + reading.sides[3])
+               : length * length / 16.0;
     reading.misfit = std::abs(std::log(std::max(1.0, rest) / reading.natural));
     if (n == 0)
         reading.misfit = rest < 1.5 * length ? 10 : 0.2;

@@ -19,16 +19,16 @@ using Points = std::vector<Eigen::Vector2d>;
 Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const Eigen::Vector2d> loop);
 
 struct Embedding {
-    Points positions;            // all vertices; the first `boundary` equal the loop
-    double min_determinant = 0;  // smallest corner determinant (signed area of the corner)
+    Points positions;           // all vertices; the first `boundary` equal the loop
+    double min_determinant = 0; // smallest corner determinant (signed area of the corner)
     double min_scaled_jacobian = 0;
-    bool valid = false;          // every corner determinant is positive
+    bool valid = false; // every corner determinant is positive
 };
 
 struct EmbedOptions {
-    int steps = 20;             // sweeps of shape optimisation after untangling
-    int untangle_sweeps = 200;  // give up afterwards
-    double good_enough = 0;     // stop optimising once min scaled Jacobian is at least this; 0: never
+    int steps = 20;            // sweeps of shape optimisation after untangling
+    int untangle_sweeps = 200; // give up afterwards
+    double good_enough = 0;    // stop optimising once min scaled Jacobian is at least this; 0: never
 };
 
 // Tutte start -> move the loop to its place -> untangle (Garanzha et al. 2021) ->

@@ -7,7 +7,7 @@
 namespace alphamst::geometry {
 
 class Plane {
-  public:
+public:
     // Least squares through the points; the normal is on the side of `orientation`. Where the
     // points do not determine a plane (fewer than three, or on a line) the normal is as near to
     // `orientation` as they allow.
@@ -25,7 +25,7 @@ class Plane {
     // Largest distance of the points from the plane.
     double deviation(std::span<const Eigen::Vector3d> points) const;
 
-  private:
+private:
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
     Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity(); // columns: right-handed, the normal last
 };

@@ -15,7 +15,7 @@ struct Sector {
 };
 
 class Stars {
-  public:
+public:
     Stars(Quads quads, int vertices);
 
     int vertices() const { return static_cast<int>(first_.size()) - 1; }
@@ -24,7 +24,7 @@ class Stars {
         return {sectors_.data() + first_[i], sectors_.data() + first_[i + 1]};
     }
 
-  private:
+private:
     std::vector<std::size_t> first_;
     std::vector<Sector> sectors_;
 };

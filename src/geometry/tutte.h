@@ -11,7 +11,7 @@
 namespace alphamst::geometry {
 
 class Tutte {
-  public:
+public:
     // Free vertices have a closed star: each edge at one is the edge to next of one sector.
     Tutte(const Stars &stars, std::span<const char> fixed);
 
@@ -19,7 +19,7 @@ class Tutte {
     // singular (a free vertex not connected to a fixed one).
     bool solve(Points &points) const;
 
-  private:
+private:
     const Stars &stars_;
     std::vector<int> free_;  // vertices by unknown
     std::vector<int> index_; // unknown by vertex, -1 if fixed

@@ -17,7 +17,8 @@ using Taken = std::span<const char>;
 // Faces within `rings` face layers of a vertex (1: the faces at it).
 std::vector<int> rings(const mesh::QuadMesh &mesh, int vertex, int rings, Taken taken);
 // The edge-connected faces around the one nearest to center whose centroid is within radius.
-std::vector<int> ball(const mesh::QuadMesh &mesh, const std::array<double, 3> &center, double radius, Taken taken);
+std::vector<int> ball(const mesh::QuadMesh &mesh, const std::array<double, 3> &center, double radius,
+                      Taken taken);
 // Faces with their centroid in the box; the largest edge-connected part.
 std::vector<int> box(const mesh::QuadMesh &mesh, const std::array<double, 3> &low,
                      const std::array<double, 3> &high, Taken taken);
@@ -29,7 +30,9 @@ std::vector<int> repair(const mesh::QuadMesh &mesh, std::vector<int> faces, Take
 
 // Compact clusters of about `size` faces (Lloyd on the dual graph, seeded) / balanced
 // parts of about `size` faces (METIS k-way on the dual graph). Each is a repaired disk.
-std::vector<std::vector<int>> clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken);
-std::vector<std::vector<int>> partition(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken);
+std::vector<std::vector<int>> clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
+                                       Taken taken);
+std::vector<std::vector<int>> partition(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
+                                        Taken taken);
 
 } // namespace alphamst::patch

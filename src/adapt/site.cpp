@@ -1,0 +1,203 @@
+#include "adapt/site.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace alphamst::adapt {
+namespace {
+
+Eigen::Vector3d vector(const OpenMesh::Vec3d &p) { return {p[0], p[1], p[2]}; }
+
+std::string name_defects(std::int32_t bits) {
+    struct Name {
+        std::int32_t bit;
+        const char *text;
+    };
+    constexpr Name names[] = {{patch::empty, "it has no face"},
+                              {patch::not_connected, "its faces are not connected through edges"},
+                              {patch::not_disk, "it has a hole or closes up"},
+                              {patch::pinched, "its boundary touches itself"},
+                              {patch::crosses_feature, "a flagged entity or region border lies inside"},
+                              {patch::odd_boundary, "its boundary has an odd number of edges"}};
+    std::string text = "the patch cannot be refilled:";
+    for (const Name &name : names)
+        if ((bits & name.bit) != 0)
+            text += std::string(text.back() == ':' ? " " : ", ") + name.text;
+    return text;
+}
+
+} // namespace
+
+Site::Site(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings)
+    : mesh_(mesh), goal_(goal), settings_(settings) {
+    const std::int32_t bits = patch::defects(mesh, patch.faces);
+    if (bits != 0)
+        throw Refusal{Fault::patch, name_defects(bits)};
+    window = patch::make_window(mesh, patch.faces);
+    regular_ = window.wanted;
+    if (!patch.corners.empty())
+        use_corners(patch.corners);
+    flatten();
+    read_old_filling();
+    if (goal.keep_quality && patch.corners.empty())
+        keep_angles();
+}
+
+bool Site::fits(const fill::Filling &filling) const {
+    const int length = filling.boundary;
+    for (const auto &quad : filling.quads)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int a = quad[k], b = quad[(k + 1) % 4];
+            if (a >= length || b >= length || (a + 1) % length == b || (b + 1) % length == a)
+                continue;
+            const int edge = mesh_.find_edge(window.loop[static_cast<std::size_t>(a)],
+                                             window.loop[static_cast<std::size_t>(b)]);
+            if (edge >= 0 && !inside(edge))
+                return false;
+        }
+    return true;
+}
+
+std::map<int, std::int64_t> Site::valences(const fill::Filling &filling) const {
+    std::vector<int> faces(static_cast<std::size_t>(filling.vertices), 0);
+    for (const auto &quad : filling.quads)
+        for (const int v : quad)
+            ++faces[static_cast<std::size_t>(v)];
+    std::map<int, std::int64_t> count;
+    for (std::size_t v = 0; v < faces.size(); ++v) {
+        if (v < window.loop.size() && mesh_.on_boundary(window.loop[v]))
+            continue;
+        ++count[faces[v] + (v < window.loop.size() ? window.outside[v] : 0)];
+    }
+    return count;
+}
+
+geometry::Embedding Site::embed(const Shape &shape) const {
+    geometry::EmbedOptions options;
+    options.steps = settings_.smooth_steps;
+    const fill::Filling &filling = shape.filling;
+    if (!shape.positions.empty()) {
+        std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
+        std::fill_n(fixed.begin(), window.loop.size(), 1);
+        geometry::Embedding kept = geometry::improve(filling.quads, fixed, shape.positions, options);
+        if (kept.valid)
+            return kept;
+    }
+    const std::span<const Eigen::Vector2d> loop(old_positions_.data(), window.loop.size());
+    return geometry::embed(filling.quads, filling.boundary, filling.vertices, loop, options);
+}
+
+std::vector<OpenMesh::Vec3d> Site::lift(const geometry::Points &positions) const {
+    std::vector<OpenMesh::Vec3d> points;
+    for (std::size_t v = window.loop.size(); v < positions.size(); ++v) {
+        if (mesh_.dim() == 2) {
+            points.emplace_back(positions[v].x(), positions[v].y(), 0.0);
+            continue;
+        }
+        const Eigen::Vector3d p = plane_.to_space(positions[v]);
+        points.emplace_back(p.x(), p.y(), p.z());
+    }
+    return points;
+}
+
+fill::Request Site::request() const {
+    fill::Request request;
+    request.word = window.wanted;
+    for (std::size_t i = 0; i < window.loop.size(); ++i)
+        request.regular.push_back(mesh_.on_boundary(window.loop[i]) ? regular_[i] : 4 - window.outside[i]);
+    request.angles = patch::loop_angles(mesh_, window);
+    request.least_sine = least_sine_;
+    request.faces = goal_.faces;
+    request.any_count = goal_.any_count;
+    request.most = settings_.candidates;
+    request.node_limit = settings_.node_limit;
+    request.seed = settings_.seed;
+    request.tolerance = 0;
+    return request;
+}
+
+void Site::use_corners(const std::vector<int> &corners) {
+    std::fill(window.wanted.begin(), window.wanted.end(), 2);
+    for (const int corner : corners) {
+        const auto at = std::find(window.loop.begin(), window.loop.end(), corner);
+        if (at == window.loop.end())
+            throw Refusal{Fault::patch, "a corner of the patch is not on its boundary; set the corners anew"};
+        window.wanted[static_cast<std::size_t>(at - window.loop.begin())] = 1;
+    }
+}
+
+void Site::keep_angles() {
+    least_sine_ = std::min(0.95, old_quality + 0.01);
+    const std::vector<double> angles = patch::loop_angles(mesh_, window);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        auto sine = [&](int letter) {
+            constexpr double degree = 3.14159265358979323846 / 180;
+            return angles[i] < 175 * letter ? std::sin(angles[i] / letter * degree) : -1;
+        };
+        int best = window.wanted[i];
+        for (int away = 1; away < 3 && sine(best) < least_sine_; ++away)
+            for (const int letter : {window.wanted[i] - away, window.wanted[i] + away})
+                if (letter >= 1 && letter <= 4 && sine(letter) > sine(best))
+                    best = letter;
+        window.wanted[i] = best;
+    }
+}
+
+void Site::flatten() {
+    std::vector<Eigen::Vector3d> points;
+    for (const int v : window.loop)
+        points.push_back(vector(mesh_.point(v)));
+    for (const int v : window.interior)
+        points.push_back(vector(mesh_.point(v)));
+    if (mesh_.dim() == 2) {
+        for (const Eigen::Vector3d &p : points)
+            old_positions_.push_back(p.head<2>());
+        return;
+    }
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(), low = points[0], high = points[0];
+    for (std::size_t i = 0; i < window.loop.size(); ++i)
+        normal += (points[i] - points[0]).cross(points[(i + 1) % window.loop.size()] - points[0]);
+    for (const Eigen::Vector3d &p : points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    plane_ = geometry::Plane::fit(points, normal);
+    constexpr double flat = 1e-7; // of the patch's size: rounding in files, not curvature
+    if (plane_.deviation(points) > flat * (high - low).norm())
+        throw Refusal{Fault::unsupported,
+                      "the patch is curved; this version adapts patches that lie in a plane"};
+    for (const Eigen::Vector3d &p : points)
+        old_positions_.push_back(plane_.to_plane(p));
+}
+
+void Site::read_old_filling() {
+    auto &local = local_;
+    for (const int v : window.loop)
+        local.emplace(v, static_cast<int>(local.size()));
+    for (const int v : window.interior)
+        local.emplace(v, static_cast<int>(local.size()));
+    old.boundary = static_cast<int>(window.loop.size());
+    old.vertices = static_cast<int>(local.size());
+    for (const int f : window.faces) {
+        const auto corners = mesh_.corners(f);
+        old.quads.push_back(
+            {local.at(corners[0]), local.at(corners[1]), local.at(corners[2]), local.at(corners[3])});
+    }
+    const geometry::Embedding judged = geometry::judge(old.quads, old_positions_);
+    old_quality = judged.min_scaled_jacobian;
+    for (const auto &[valence, count] : valences(old))
+        old_singular_all_ += valence != 4 ? static_cast<int>(count) : 0;
+    for (std::size_t i = 0; i < window.loop.size(); ++i)
+        old_singular_all_ += mesh_.on_boundary(window.loop[i]) && window.inside[i] != regular_[i];
+}
+
+bool Site::inside(int edge) const {
+    const auto sides = mesh_.edge_faces(edge);
+    auto mine = [&](int f) {
+        return f >= 0 && std::binary_search(window.faces.begin(), window.faces.end(), f);
+    };
+    return mine(sides[0]) && mine(sides[1]);
+}
+
+} // namespace alphamst::adapt
