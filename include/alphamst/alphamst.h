@@ -174,7 +174,7 @@ enum amst_option {
     AMST_OPT_SMOOTH_STEPS = 1,     /* int, 20: sweeps of shape optimisation, 0..1000 */
     AMST_OPT_REPAIR_PATCHES = 2,   /* int 0/1, 1: fill holes, cut pinches of new patches */
     AMST_OPT_CANDIDATES = 3,       /* int, 16: fillings to try in a patch before it is left, 1..1000 */
-    AMST_OPT_NODE_LIMIT = 4,       /* int, 20000: effort of one exact search, in quads laid, 0..10^9 */
+    AMST_OPT_NODE_LIMIT = 4,       /* int, 1000: effort of one exact search, in quads laid, 0..10^9 */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */

@@ -13,7 +13,7 @@ struct Options {
     std::int64_t smooth_steps = 20;
     std::int64_t repair_patches = 1;
     std::int64_t candidates = 16;
-    std::int64_t node_limit = 20000;
+    std::int64_t node_limit = 1000;
     double min_quality = 0;
     double min_convexity = 0.6;
     double patch_faces = 100;

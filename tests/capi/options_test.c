@@ -13,7 +13,7 @@ static const integer_option integers[] = {
     {AMST_OPT_SMOOTH_STEPS, 20, 0, 1000},
     {AMST_OPT_REPAIR_PATCHES, 1, 0, 1},
     {AMST_OPT_CANDIDATES, 16, 1, 1000},
-    {AMST_OPT_NODE_LIMIT, 20000, 0, INT64_C(1000000000)},
+    {AMST_OPT_NODE_LIMIT, 1000, 0, INT64_C(1000000000)},
 };
 
 typedef struct real_option {
