@@ -105,7 +105,8 @@ fill::Request Site::request() const {
     fill::Request request;
     request.word = window.wanted;
     for (std::size_t i = 0; i < window.loop.size(); ++i)
-        request.regular.push_back(mesh_.on_boundary(window.loop[i]) ? regular_[i] : 4 - window.outside[i]);
+        request.regular.push_back(
+            corners_given_ || mesh_.on_boundary(window.loop[i]) ? regular_[i] : 4 - window.outside[i]);
     request.angles = patch::loop_angles(mesh_, window);
     request.least_sine = least_sine_;
     request.faces = goal_.faces;
@@ -119,12 +120,14 @@ fill::Request Site::request() const {
 
 void Site::use_corners(const std::vector<int> &corners) {
     std::fill(window.wanted.begin(), window.wanted.end(), 2);
+    corners_given_ = true;
     for (const int corner : corners) {
         const auto at = std::find(window.loop.begin(), window.loop.end(), corner);
         if (at == window.loop.end())
             throw Refusal{Fault::patch, "a corner of the patch is not on its boundary; set the corners anew"};
         window.wanted[static_cast<std::size_t>(at - window.loop.begin())] = 1;
     }
+    regular_ = window.wanted; // a filling that keeps the corners is what counts as regular
 }
 
 void Site::keep_angles() {

@@ -98,6 +98,7 @@ private:
     geometry::Points old_positions_; // loop, then interior
     int old_singular_all_ = 0;       // and mismatches on the mesh boundary
     double least_sine_ = 0;
+    bool corners_given_ = false;
     std::unordered_map<int, int> local_; // vertex of the mesh -> of old
     std::vector<int> regular_;           // letters that the mesh wants, whatever this goal makes of them
 };

@@ -22,7 +22,11 @@ std::int32_t defects(const mesh::QuadMesh &mesh, std::span<const int> faces) {
 
     const auto crossed = [&](Halfedge h) { return barrier(mesh, h); };
     const auto is_held = [&](int v) { return held(mesh, v); };
-    if (std::any_of(region.inner.begin(), region.inner.end(), crossed) ||
+    const auto is_fixed = [&](int f) {
+        return (mesh.face_flags[static_cast<std::size_t>(f)] & mesh::fixed) != 0;
+    };
+    if (std::any_of(region.faces.begin(), region.faces.end(), is_fixed) ||
+        std::any_of(region.inner.begin(), region.inner.end(), crossed) ||
         std::any_of(region.interior.begin(), region.interior.end(), is_held))
         found |= crosses_feature;
 

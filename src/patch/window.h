@@ -35,7 +35,8 @@ struct Window {
 
 // Defect bits of a face set (empty, not_connected, not_disk, pinched,
 // crosses_feature, odd_boundary); 0 for a usable disk. An interior edge or vertex with a flag FIXED, FEATURE
-// or CORNER, an edge with a marker, or two faces of different markers, is crosses_feature.
+// or CORNER, an edge with a marker, or two faces of different markers, is crosses_feature; so is a face
+// that is FIXED.
 std::int32_t defects(const mesh::QuadMesh &mesh, std::span<const int> faces);
 
 // The window of a face set whose defects are 0.

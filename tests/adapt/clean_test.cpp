@@ -141,7 +141,7 @@ TEST(Clean, FixedVertexStaysWhereItIs) { // it may lose edges, but neither goes 
 }
 
 // Not yet so: faces that are FIXED are refilled like others.
-TEST(Clean, DISABLED_LeavesFixedFaces) {
+TEST(Clean, LeavesFixedFaces) {
     mesh::QuadMesh mesh = star(6, 4);
     mesh.face_flags.assign(mesh.face_flags.size(), mesh::fixed);
     const auto before = mesh.checksum();
