@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <limits>
+#include <numbers>
 
 namespace alphamst::geometry {
 
@@ -131,7 +131,8 @@ Eigen::Matrix4d projected_hessian(const Parts &h) {
     const double pq = h.square * dp * dq - h.slope * (np * dq + dp * nq);
     const double angle = 0.5 * std::atan2(2 * pq, pp - qq), c = std::cos(angle), s = std::sin(angle);
     const double mean = (pp + qq) / 2, radius = std::hypot((pp - qq) / 2, pq);
-    const Eigen::Vector4d high = c * basis.col(0) + s * basis.col(2), low = c * basis.col(2) - s * basis.col(0);
+    const Eigen::Vector4d high = c * basis.col(0) + s * basis.col(2),
+                          low = c * basis.col(2) - s * basis.col(0);
     auto cut = [](double value) { return std::max(value, 0.0); };
     return cut(mean + radius) * high * high.transpose() + cut(mean - radius) * low * low.transpose() +
            cut(h.diagonal + h.bilinear) * basis.col(1) * basis.col(1).transpose() +

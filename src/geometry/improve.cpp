@@ -15,9 +15,10 @@ constexpr double still = 2e-3;         // a vertex rests when it moves less, in 
 constexpr double softest = 0.2;        // first epsilon at corners that are hardly positive
 constexpr double least_square = 1e-12; // of the scaled Jacobian, while softened
 constexpr double squeezed_below = 0.1;
-constexpr double poor_band = 0.15;  // corners up to this above the worst are sharpened with it
-constexpr double least_gain = 2e-3; // of the smallest scaled Jacobian in a round of sharpening
-constexpr int sharpen_sweeps = 3;   // in a round
+constexpr double poor_band = 0.15;   // corners up to this above the worst are sharpened with it
+constexpr double least_gain = 2e-3;  // of the smallest scaled Jacobian in a round of sharpening
+constexpr int sharpen_sweeps = 3;    // in a round
+constexpr double least_area = 0.005; // of a corner, over the wanted one, that sharpening makes
 
 // Smallest over the corners of a quad.
 struct Worst {
@@ -153,7 +154,9 @@ void sharpen_worst(const Problem &problem, Points &points, const EmbedOptions &o
         grow(problem.stars, problem.fixed, 1, around, member);
         for (int sweep = 0; sweep < sharpen_sweeps; ++sweep)
             for (const int v : around)
-                sharpen(problem.stars.at(v), points, v, std::max(floor, worst * worst));
+                if (const auto star = problem.stars.at(v); !star.empty())
+                    sharpen(star, points, v, std::max(floor, worst * worst),
+                            least_area * problem.area[static_cast<std::size_t>(star[0].quad)]);
     }
 }
 

@@ -20,7 +20,7 @@ double determinant(const Eigen::Vector4d &e) { return e[0] * e[3] - e[1] * e[2];
 
 // Newton's method on the vertices of a region, the corner Hessians projected.
 class RegionNewton {
-  public:
+public:
     RegionNewton(const Problem &problem, const Region &region)
         : problem_(problem), region_(region), index_(region.member.size(), -1),
           gradient_(2 * static_cast<Eigen::Index>(region.vertices.size())) {
@@ -64,7 +64,7 @@ class RegionNewton {
         return false;
     }
 
-  private:
+private:
     const std::array<int, 4> &quad(int q) const { return problem_.quads[static_cast<std::size_t>(q)]; }
     double area(int q) const { return problem_.area[static_cast<std::size_t>(q)]; }
 

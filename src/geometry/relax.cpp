@@ -53,13 +53,13 @@ double search(const Expansion &e, std::span<const Sector> star, Points &points, 
     return 0;
 }
 
-// The corner between edges a and b (b counter-clockwise of a), its sine and cotangent.
+// The corner between edges a and b (b counter-clockwise of a).
 struct Angle {
-    double sine, cotangent;
+    double sine, cotangent, determinant;
 };
 inline Angle angle(const Vector2d &a, const Vector2d &b) {
     const double d = cross(a, b), dot = a.dot(b);
-    return {d / std::sqrt(a.squaredNorm() * b.squaredNorm()), dot / d};
+    return {d / std::sqrt(a.squaredNorm() * b.squaredNorm()), dot / d, d};
 }
 
 inline double power8(double r) {
@@ -67,17 +67,19 @@ inline double power8(double r) {
     return r4 * r4;
 }
 
-double sharp_value(std::span<const Sector> star, const Points &points, const Vector2d &x, double reference) {
+// Infinite where a corner determinant is below `smallest`.
+double sharp_value(std::span<const Sector> star, const Points &points, const Vector2d &x, double reference,
+                   double smallest) {
     double sum = 0;
     for (const Sector &s : star) {
         const Vector2d &n = points[static_cast<std::size_t>(s.next)];
         const Vector2d &o = points[static_cast<std::size_t>(s.opposite)];
         const Vector2d &p = points[static_cast<std::size_t>(s.previous)];
         const Vector2d a = n - x, b = p - x, u = o - n, w = o - p;
-        for (const double sine : {angle(a, b).sine, angle(u, -a).sine, angle(-b, w).sine}) {
-            if (!(sine > 0))
+        for (const Angle &corner : {angle(a, b), angle(u, -a), angle(-b, w)}) {
+            if (!(corner.sine > 0) || corner.determinant < smallest)
                 return std::numeric_limits<double>::infinity();
-            sum += power8(reference / sine);
+            sum += power8(reference / corner.sine);
         }
     }
     return sum;
@@ -113,7 +115,7 @@ double relax(const Barrier &barrier, std::span<const Sector> star, Points &point
                   [&](const Vector2d &x) { return value(barrier, star, points, x); });
 }
 
-double sharpen(std::span<const Sector> star, Points &points, int vertex, Floor floor) {
+double sharpen(std::span<const Sector> star, Points &points, int vertex, Floor floor, double smallest) {
     const Vector2d x = points[static_cast<std::size_t>(vertex)];
     const double worst = worst_corner(star, points, x);
     if (!(worst > 0))
@@ -128,16 +130,18 @@ double sharpen(std::span<const Sector> star, Points &points, int vertex, Floor f
         // Turning x about next or previous; the corner at x closes by what they open.
         const Turn ta = turn(a), tb = turn(b);
         const Turn at_next{-ta.gx, -ta.gy, ta.hxx, ta.hxy}, at_previous{-tb.gx, -tb.gy, tb.hxx, tb.hxy};
-        add_sharp(e, angle(a, b),
+        const Angle here = angle(a, b), there = angle(u, -a), behind = angle(-b, w);
+        smallest = std::min({smallest, here.determinant, there.determinant, behind.determinant});
+        add_sharp(e, here,
                   {at_previous.gx - at_next.gx, at_previous.gy - at_next.gy, at_previous.hxx - at_next.hxx,
                    at_previous.hxy - at_next.hxy},
                   reference);
-        add_sharp(e, angle(u, -a), at_next, reference);
-        add_sharp(e, angle(-b, w), {-at_previous.gx, -at_previous.gy, -at_previous.hxx, -at_previous.hxy},
+        add_sharp(e, there, at_next, reference);
+        add_sharp(e, behind, {-at_previous.gx, -at_previous.gy, -at_previous.hxx, -at_previous.hxy},
                   reference);
     }
     return search(e, star, points, vertex, floor,
-                  [&](const Vector2d &y) { return sharp_value(star, points, y, reference); });
+                  [&](const Vector2d &y) { return sharp_value(star, points, y, reference, smallest); });
 }
 
 } // namespace alphamst::geometry

@@ -14,7 +14,9 @@ constexpr Floor no_floor = -2;
 double relax(const Barrier &barrier, std::span<const Sector> star, Points &points, int vertex, Floor floor);
 
 // Raises the worst corners of the star: lowers the sum of sin(angle)^-8 over its corners, all
-// of which must be positive. The worst corner of the star does not fall below floor.
-double sharpen(std::span<const Sector> star, Points &points, int vertex, Floor floor);
+// of which must be positive. The worst corner of the star does not fall below floor. The sum
+// knows angles only and would let quads shrink to nothing, so no corner determinant falls below
+// `smallest`, or below the present smallest if that is less.
+double sharpen(std::span<const Sector> star, Points &points, int vertex, Floor floor, double smallest = 0);
 
 } // namespace alphamst::geometry

@@ -100,6 +100,32 @@ TEST(Sharpen, RaisesTheWorstCornerToTheOptimumByItself) {
     EXPECT_GT(std::sqrt(reached), 0.93 * std::sqrt(best));
 }
 
+TEST(Sharpen, NoCornerGetsSmallerThanAllowed) {
+    // The ring of the fan with every second vertex pulled in or out.
+    const auto smallest_after = [](double pull, double x, int steps, double allowed) {
+        Fan f;
+        for (const std::size_t v : {1u, 3u, 5u})
+            f.points[v] *= pull;
+        f.points[1] *= 0.5;
+        f.points[0] = {x, 0};
+        for (int i = 0; i < steps; ++i)
+            sharpen(f.stars.at(0), f.points, 0, 0, allowed);
+        return judge(f.quads, f.points).min_determinant;
+    };
+    int shrinking = 0;
+    for (double pull = 0.4; pull < 2; pull += 0.1)
+        for (double x = -0.5; x < 0.5; x += 0.05) {
+            const double start = smallest_after(pull, x, 0, 0), free = smallest_after(pull, x, 20, 0);
+            if (!(start > 0 && free < 0.99 * start))
+                continue;
+            ++shrinking;
+            const double between = (start + free) / 2;
+            EXPECT_GE(smallest_after(pull, x, 20, between), between);
+            EXPECT_GE(smallest_after(pull, x, 20, 10), start); // not below the present smallest
+        }
+    EXPECT_GT(shrinking, 0) << "the case no longer shrinks a corner";
+}
+
 TEST(Relax, TheFloorHolds) {
     for (int i = 0; i < 200; ++i) {
         Fan f;
