@@ -51,6 +51,9 @@ constexpr double comfortable = 0.3;
 // Tries fillings in their order and keeps the best shape. The first that fits sets the numbers
 // that were predicted.
 class Choice {
+    // Faces embedded in all before a valid filling is no longer bettered by others like it.
+    static constexpr std::int64_t most_polish = 4000;
+
 public:
     Choice(const Site &site, const Goal &goal, const Settings &settings)
         : site_(site), goal_(goal), settings_(settings), present_(site.present()) {}
@@ -120,7 +123,7 @@ private:
         const bool as_predicted = faces == first_faces_ && singular_now == first_singular_;
         if (faces != first_faces_ && !goal_.any_count)
             return false; // the predicted count is kept, come what may
-        if (best_.number >= 0 && !as_predicted && !goal_.keep_quality)
+        if (best_.number >= 0 && !goal_.keep_quality && (!as_predicted || tried_ * faces > most_polish))
             return true;
         if (tried_here_ >= settings_.candidates && !(present_ && filling.quads == site_.old.quads))
             return false;
