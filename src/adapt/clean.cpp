@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "adapt/propose.h"
 #include "geometry/embed.h"

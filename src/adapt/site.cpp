@@ -158,16 +158,11 @@ void Site::flatten() {
             old_positions_.push_back(p.head<2>());
         return;
     }
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero(), low = points[0], high = points[0];
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < window.loop.size(); ++i)
         normal += (points[i] - points[0]).cross(points[(i + 1) % window.loop.size()] - points[0]);
-    for (const Eigen::Vector3d &p : points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
     plane_ = geometry::Plane::fit(points, normal);
-    constexpr double flat = 1e-7; // of the patch's size: rounding in files, not curvature
-    if (plane_.deviation(points) > flat * (high - low).norm())
+    if (!plane_.holds(points))
         throw Refusal{Fault::unsupported,
                       "the patch is curved; this version adapts patches that lie in a plane"};
     for (const Eigen::Vector3d &p : points)

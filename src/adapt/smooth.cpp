@@ -70,17 +70,13 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     geometry::Plane plane;
     geometry::Points positions;
     if (mesh.dim() == 3 && !points.empty()) {
-        Eigen::Vector3d normal = Eigen::Vector3d::Zero(), low = points[0], high = points[0];
+        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
         for (const auto &quad : quads)
             normal += (points[static_cast<std::size_t>(quad[2])] - points[static_cast<std::size_t>(quad[0])])
                           .cross(points[static_cast<std::size_t>(quad[3])] -
                                  points[static_cast<std::size_t>(quad[1])]);
-        for (const auto &p : points) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
         plane = geometry::Plane::fit(points, normal);
-        if (plane.deviation(points) > 1e-7 * (high - low).norm()) {
+        if (!plane.holds(points)) {
             outcome.fault = Fault::unsupported;
             outcome.text = "the faces are curved; this version smooths faces that lie in a plane";
             return outcome;

@@ -19,7 +19,6 @@ std::optional<std::vector<int>> spokes(const Sides &sides) {
         if (twice < 2)
             return std::nullopt;
     }
-    // For N = 5 the sum is that of spoke i with the opposite sides taken off.
     return h;
 }
 

@@ -125,7 +125,6 @@ Layout extract(const Filling &filling, const std::vector<int> &corners) {
     // Lines: edges that go straight on through regular vertices. An edge belongs to the
     // line of the edge opposite to it in the vertex's fan.
     Groups lines(static_cast<int>(edges.ends.size()));
-    std::map<Edge, std::vector<std::size_t>> quads_of_edge;
     std::vector<std::vector<std::pair<std::size_t, std::size_t>>> around(
         static_cast<std::size_t>(filling.vertices));
     for (std::size_t q = 0; q < filling.quads.size(); ++q)

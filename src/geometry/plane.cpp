@@ -44,4 +44,16 @@ double Plane::deviation(std::span<const Eigen::Vector3d> points) const {
     return largest;
 }
 
+bool Plane::holds(std::span<const Eigen::Vector3d> points) const {
+    if (points.empty())
+        return true;
+    Eigen::Vector3d low = points[0], high = points[0];
+    for (const Eigen::Vector3d &p : points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    constexpr double rounding = 1e-7; // of files and frames, not curvature
+    return deviation(points) <= rounding * (high - low).norm();
+}
+
 } // namespace alphamst::geometry

@@ -24,6 +24,8 @@ public:
 
     // Largest distance of the points from the plane.
     double deviation(std::span<const Eigen::Vector3d> points) const;
+    // Whether the points lie in the plane but for rounding: 1e-7 of their extent.
+    bool holds(std::span<const Eigen::Vector3d> points) const;
 
 private:
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
