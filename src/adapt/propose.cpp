@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "adapt/obstacle.h"
 #include "adapt/site.h"
 
 namespace alphamst::adapt {
@@ -127,6 +128,8 @@ private:
             return true;
         if (tried_here_ >= settings_.candidates && !(present_ && filling.quads == site_.old.quads))
             return false;
+        if (obstacles_.met_by(filling))
+            return false;
         later_ += as_predicted ? 0 : 1;
         ++tried_;
         ++tried_here_;
@@ -137,6 +140,8 @@ private:
     bool judge(Shape shape, std::map<int, std::int64_t> valences, std::int64_t number) {
         geometry::Embedding embedding = site_.embed(shape);
         const double quality = embedding.min_scaled_jacobian;
+        if (embedding.stuck >= 0)
+            obstacles_.learn(shape.filling, embedding.stuck);
         if (!embedding.valid || quality <= settings_.min_quality)
             return false;
         if (best_.number < 0 || quality > best_.embedding.min_scaled_jacobian)
@@ -148,6 +153,7 @@ private:
     const Goal &goal_;
     const Settings &settings_;
     const std::optional<Site::Offer> present_;
+    Obstacles obstacles_;
     Best best_;
     std::int64_t first_faces_ = -1, first_singular_ = -1, later_ = 0, tried_ = 0, tried_here_ = 0;
 };

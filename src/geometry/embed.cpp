@@ -48,13 +48,20 @@ bool start_from_circle(const Tutte &tutte, Loop loop, Points &points) {
     return solved;
 }
 
-bool find_valid(const Problem &problem, Loop loop, Points &points, int sweeps) {
+// Where it fails, stuck is the quad that resisted most, if few did.
+bool find_valid(const Problem &problem, Loop loop, Points &points, int sweeps, int &stuck) {
     const Tutte tutte(problem.stars, problem.fixed);
     if (!tutte.solve(points))
         return false;
     std::ptrdiff_t effort = untangling_effort(problem);
     if (untangle(problem, points, sweeps, effort))
         return true;
+    // Another start helps where all is in disorder, not a few quads.
+    const std::vector<int> bad = tangled(problem, points);
+    if (10 * bad.size() < problem.quads.size() + 100) {
+        stuck = bad.empty() ? -1 : bad.front();
+        return false;
+    }
     Points other = points;
     if (!start_from_circle(tutte, loop, other) || !untangle(problem, other, sweeps, effort))
         return false;
@@ -86,13 +93,16 @@ Embedding embed(Quads quads, int boundary, int vertices, Loop loop, const EmbedO
     std::fill_n(fixed.begin(), boundary, char(1));
     const std::vector<double> wanted(quads.size(), 1.0);
     const Problem problem{quads, stars, fixed, wanted};
-    if (find_valid(problem, unit_loop, points, options.untangle_sweeps))
+    int stuck = -1;
+    if (find_valid(problem, unit_loop, points, options.untangle_sweeps, stuck))
         optimise(problem, points, options, 0);
 
     for (Vector2d &p : points)
         p = p * size + centre;
     std::copy(loop.begin(), loop.end(), points.begin());
-    return judge(quads, std::move(points));
+    Embedding result = judge(quads, std::move(points));
+    result.stuck = stuck;
+    return result;
 }
 
 } // namespace alphamst::geometry

@@ -23,6 +23,7 @@ struct Embedding {
     double min_determinant = 0; // smallest corner determinant (signed area of the corner)
     double min_scaled_jacobian = 0;
     bool valid = false; // every corner determinant is positive
+    int stuck = -1;     // where it is not: the quad that resisted most, if few did
 };
 
 struct EmbedOptions {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/newton.h"
 #include "geometry/relax.h"
@@ -17,13 +18,11 @@ constexpr double positive = 1e-9;
 
 constexpr std::ptrdiff_t effort_per_quad = 40, least_effort = 20000;
 
-std::vector<int> tangled(const Problem &problem, const Points &points) {
-    std::vector<int> quads;
-    for (int q = 0; q < static_cast<int>(problem.quads.size()); ++q)
-        if (!(worst_determinant(problem, {&q, 1}, points) > positive))
-            quads.push_back(q);
-    return quads;
-}
+// A wider region has to move the worst corner by this part of it.
+constexpr double least_gain = 0.1;
+constexpr int most_layers = 64;
+
+constexpr int most_sweeps = 40; // Newton's method is faster from there
 
 // A corner of fixed vertices only is not positive.
 bool hopeless(const Problem &problem, std::span<const int> quads, const Points &points) {
@@ -40,21 +39,26 @@ bool hopeless(const Problem &problem, std::span<const int> quads, const Points &
     return false;
 }
 
-bool sweep_vertices(const Problem &problem, Region &region, Points &points, int sweeps) {
+bool sweep_vertices(const Problem &problem, std::span<const int> bad, Points &points, int sweeps) {
+    constexpr int more_layers = 3;
+    int layers = more_layers, without_gain = 0;
+    Region region(problem, bad, layers);
     Barrier barrier{.area = problem.area};
     double best = -std::numeric_limits<double>::infinity();
-    int without_gain = 0;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         const double worst = worst_determinant(problem, region.quads, points);
         if (worst > positive)
             return true;
-        // Stalled: let more vertices take part, or leave the rest to Newton's method.
+        // Stalled: let more vertices take part around what is left, or leave it to Newton's method.
         if (worst > 0.95 * best) {
             best = worst;
             without_gain = 0;
         } else if (++without_gain % 4 == 0) {
             const std::size_t before = region.vertices.size();
-            region.extend(problem, 3);
+            std::erase_if(region.quads, [&](int q) {
+                return worst_determinant(problem, {&q, 1}, points) > positive;
+            });
+            region = Region(problem, region.quads, layers += more_layers);
             if (without_gain >= 12 || region.vertices.size() == before)
                 return false;
         }
@@ -67,6 +71,18 @@ bool sweep_vertices(const Problem &problem, Region &region, Points &points, int 
 
 } // namespace
 
+std::vector<int> tangled(const Problem &problem, const Points &points) {
+    std::vector<std::pair<double, int>> found;
+    for (int q = 0; q < static_cast<int>(problem.quads.size()); ++q)
+        if (const double worst = worst_determinant(problem, {&q, 1}, points); !(worst > positive))
+            found.emplace_back(worst, q);
+    std::sort(found.begin(), found.end());
+    std::vector<int> quads;
+    for (const auto &[worst, q] : found)
+        quads.push_back(q);
+    return quads;
+}
+
 std::ptrdiff_t untangling_effort(const Problem &problem) {
     return effort_per_quad * static_cast<std::ptrdiff_t>(problem.quads.size()) + least_effort;
 }
@@ -77,24 +93,28 @@ bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t
         return true;
     if (hopeless(problem, bad, points))
         return false;
-    Region near(problem, bad, 3);
-    if (sweep_vertices(problem, near, points, sweeps))
+    if (sweep_vertices(problem, bad, points, std::min(sweeps, most_sweeps)))
         return true;
     const auto free = std::count(problem.fixed.begin(), problem.fixed.end(), char(0));
     bad = tangled(problem, points);
     int layers = 4;
     while (layers < 64 && 2 * layers * layers < static_cast<int>(bad.size()))
         layers *= 2;
-    for (; layers <= 64 && !bad.empty(); layers *= 2, bad = tangled(problem, points)) {
+    for (; layers <= most_layers && !bad.empty(); layers *= 2) {
         const Region region(problem, bad, layers);
         const auto size = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(region.vertices.size()));
         const int most = static_cast<int>(std::min<std::ptrdiff_t>(std::min(sweeps, 60), effort / size));
+        const int worst = bad.front();
+        const double before = worst_determinant(problem, {&worst, 1}, points);
         int iterations = most;
         const bool done = newton(problem, region, points, iterations, positive);
         effort -= size * (most - iterations);
         if (done)
             return true;
-        if (size >= free || most < 1)
+        bad = tangled(problem, points);
+        const bool same = layers > 4 && !bad.empty() && bad.front() == worst &&
+                          worst_determinant(problem, {&worst, 1}, points) < (1 - least_gain) * before;
+        if (size >= free || most < 1 || same)
             break;
     }
     return bad.empty();
