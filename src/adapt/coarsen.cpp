@@ -1,7 +1,6 @@
 #include "adapt/coarsen.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -97,27 +96,29 @@ private:
         return off * off + (faces < least ? 1000 : 0);
     }
 
-    bool neighbours_only_share(std::size_t a, std::size_t c, int b, int d) const {
-        std::vector<int> first, second, both;
-        for (const std::size_t v : {a, c}) {
-            auto &list = v == a ? first : second;
-            for (const std::size_t q : at_[v])
-                for (std::size_t k = 0; k < 4; ++k)
-                    if (quads_[q][k] == static_cast<int>(v)) {
-                        list.push_back(quads_[q][(k + 1) % 4]);
-                        list.push_back(quads_[q][(k + 3) % 4]);
-                    }
-            std::sort(list.begin(), list.end());
-            list.erase(std::unique(list.begin(), list.end()), list.end());
-        }
-        std::set_intersection(first.begin(), first.end(), second.begin(), second.end(),
-                              std::back_inserter(both));
-        return both.size() == 2 && std::find(both.begin(), both.end(), b) != both.end() &&
-               std::find(both.begin(), both.end(), d) != both.end();
+    // Whether an edge joins the two inside the disk.
+    bool joined(std::size_t v, int to) const {
+        for (const std::size_t q : at_[v])
+            for (std::size_t k = 0; k < 4; ++k)
+                if (quads_[q][k] == static_cast<int>(v) &&
+                    (quads_[q][(k + 1) % 4] == to || quads_[q][(k + 3) % 4] == to))
+                    return true;
+        return false;
     }
 
-    // Cost of moving corner k of quad q onto the opposite one; 1000 and more: not allowed.
-    int cost(std::size_t q, std::size_t k) const {
+    // Whether no vertex but b and d is joined to both a and c, a being inside.
+    bool only_share(std::size_t a, std::size_t c, int b, int d) const {
+        for (const std::size_t q : at_[a])
+            for (std::size_t k = 0; k < 4; ++k)
+                if (quads_[q][k] == static_cast<int>(a))
+                    // Each neighbour of a vertex inside is once the next one.
+                    if (const int v = quads_[q][(k + 1) % 4]; v != b && v != d && joined(c, v))
+                        return false;
+        return true;
+    }
+
+    // Cost of moving corner k of quad q onto the opposite one; 5000: not allowed, or not below `limit`.
+    int cost(std::size_t q, std::size_t k, int limit) const {
         const auto corner = [&](std::size_t i) { return static_cast<std::size_t>(quads_[q][(k + i) % 4]); };
         const std::size_t a = corner(0), b = corner(1), c = corner(2), d = corner(3);
         if (!inside(a) || (inside(c) && c < a))
@@ -127,7 +128,7 @@ private:
         int sum = penalty(c, merged) - penalty(a, faces(a)) - penalty(c, faces(c));
         for (const std::size_t v : {b, d})
             sum += penalty(v, faces(v) - 1) - penalty(v, faces(v));
-        if (sum >= 500 || !neighbours_only_share(a, c, static_cast<int>(b), static_cast<int>(d)))
+        if (sum >= std::min(500, limit) || !only_share(a, c, static_cast<int>(b), static_cast<int>(d)))
             return 5000;
         return sum;
     }
@@ -139,7 +140,7 @@ private:
         if (!alive_[q])
             return;
         for (std::size_t k = 0; k < 4; ++k) {
-            const int here = cost(q, k);
+            const int here = cost(q, k, entry_[q].cost);
             if (here < entry_[q].cost)
                 entry_[q] = {here, random_(), q, k};
         }
@@ -208,19 +209,24 @@ private:
             at_[c].push_back(r);
         }
         at_[a].clear();
-        std::set<std::size_t> near;
+        std::vector<std::size_t> near, changed{q};
         for (const std::size_t v : {c, corner(1), corner(3)})
             for (const std::size_t r : at_[v])
                 for (const int u : quads_[r])
-                    near.insert(static_cast<std::size_t>(u));
-        std::set<std::size_t> changed{q};
-        for (const std::size_t v : near) {
+                    near.push_back(static_cast<std::size_t>(u));
+        for (const std::size_t v : sorted_unique(near)) {
             relax(v);
-            changed.insert(at_[v].begin(), at_[v].end());
+            changed.insert(changed.end(), at_[v].begin(), at_[v].end());
         }
-        for (const std::size_t r : changed)
+        for (const std::size_t r : sorted_unique(changed))
             enter(r);
         return true;
+    }
+
+    static const std::vector<std::size_t> &sorted_unique(std::vector<std::size_t> &list) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+        return list;
     }
 
     const fill::Request &request_;

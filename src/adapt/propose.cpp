@@ -96,12 +96,9 @@ private:
             tried_here_ = 0;
             for (Site::Group group = source(); !group.empty(); group = source())
                 for (const Site::Offer &offer : group) {
-                    if (present_ && offer.singularities >= present_->singularities) {
-                        if (goal_.keep_quality)
-                            continue;
-                        if (std::exchange(present_left, false) && !visit_one(*present_))
-                            return;
-                    }
+                    if (present_ && offer.singularities >= present_->singularities &&
+                        std::exchange(present_left, false) && !visit_one(*present_))
+                        return;
                     if (!visit_one(offer))
                         return;
                 }

@@ -111,6 +111,8 @@ fill::Request Site::request() const {
     request.least_sine = least_sine_;
     request.faces = goal_.faces;
     request.any_count = goal_.any_count;
+    if (goal_.keep_quality)
+        request.fewer_than = old_singular_all_; // for no more than that the present one stays
     request.most = settings_.candidates;
     request.node_limit = settings_.node_limit;
     request.seed = settings_.seed;

@@ -143,6 +143,7 @@ Site::Source Site::start_inner(int layers) const {
         request.regular.push_back(4 - outside);
     request.angles.clear(); // its boundary can move
     request.faces = goal_.faces - kept;
+    request.fewer_than -= inside->singular_outside;
     return [inside, kept, next = templates(std::move(request))] {
         Group group = next();
         for (Offer &offer : group) {

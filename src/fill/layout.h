@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fill/filling.h"
+#include "fill/move.h"
 
 namespace alphamst::fill {
 
@@ -22,18 +23,22 @@ struct Layout {
     std::vector<std::array<int, 2>> crossing; // [blocks] chords across edges 0-1 and 1-2
     std::vector<std::vector<int>> incidence;  // [sides][chords] ends of the chord on the side
     std::vector<std::vector<int>> product;    // [chords][chords] symmetric: faces = x' product x / 2
-    // A small change z of the multiplicities that keeps every side length;
-    // faces(x + t z) = faces(x) + t (slope . x) + t^2 curvature.
-    struct Move {
-        Multiplicities z, slope;
-        std::int64_t curvature = 0;
+    // For templates only:
+    struct Turn { // a chord and the sides it ends on
+        struct End {
+            std::size_t side;
+            int count, later; // ends on the side; chords after this one that also have some
+        };
+        std::size_t chord;
+        std::vector<End> ends;
     };
+    std::vector<Turn> order; // in which start values are given
     std::vector<Move> moves;
 
     int singularities() const { return v3 + v5; }
 };
 
-// Fills in everything but blocks, corners, v3 and v5.
+// Fills in everything but blocks, corners, v3, v5, order and moves.
 void complete(Layout &layout);
 // The layout of a filling with corners at these boundary vertices (ascending, the
 // first is 0).

@@ -8,6 +8,7 @@
 
 #include "fill/closed_form.h"
 #include "fill/exact.h"
+#include "fill/start.h"
 
 namespace alphamst::fill {
 namespace {
@@ -61,7 +62,7 @@ bool canonical(const Sides &sides) {
 
 // Small integer vectors z with incidence z = 0, shortest first: steps between
 // multiplicities of equal side lengths.
-std::vector<Layout::Move> moves_of(const Layout &layout) {
+std::vector<Move> moves_of(const Layout &layout) {
     const auto chords = static_cast<std::size_t>(layout.chords);
     const int reach = layout.chords - layout.sides > 6 ? 1 : 2;
     std::vector<std::size_t> last(layout.incidence.size(), 0); // last chord with an end on the side
@@ -103,14 +104,9 @@ std::vector<Layout::Move> moves_of(const Layout &layout) {
     constexpr std::size_t kept = 48;
     if (moves.size() > kept)
         moves.resize(kept);
-    std::vector<Layout::Move> result;
-    for (Multiplicities &move : moves) {
-        Layout::Move next{std::move(move), Multiplicities(chords, 0), 0};
-        for (std::size_t a = 0; a < chords; ++a)
-            next.slope[a] = std::inner_product(next.z.begin(), next.z.end(), layout.product[a].begin(), 0);
-        next.curvature = std::inner_product(next.z.begin(), next.z.end(), next.slope.begin(), 0) / 2;
-        result.push_back(std::move(next));
-    }
+    std::vector<Move> result;
+    for (const Multiplicities &move : moves)
+        result.emplace_back(move, layout.product);
     return result;
 }
 
@@ -149,6 +145,9 @@ std::vector<Layout> generate(const Sample &sample) {
     }
     std::vector<Layout> layouts;
     for (auto &[key, layout] : found) {
+        if (layout.chords > static_cast<int>(most_chords))
+            continue;
+        layout.order = start_order(layout);
         layout.moves = moves_of(layout);
         layouts.push_back(std::move(layout));
     }
@@ -158,18 +157,26 @@ std::vector<Layout> generate(const Sample &sample) {
     return layouts;
 }
 
+std::size_t sample_of(int sides, int singularities) {
+    std::size_t i = 0;
+    while (i < samples.size() && (samples[i].sides != sides || samples[i].singularities != singularities))
+        ++i;
+    return i;
+}
+
 } // namespace
+
+bool has_types(int sides, int singularities) { return sample_of(sides, singularities) < samples.size(); }
 
 const std::vector<Layout> &types(int sides, int singularities) {
     static std::array<std::once_flag, samples.size()> once;
     static std::array<std::vector<Layout>, samples.size()> made;
     static const std::vector<Layout> none;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        if (samples[i].sides == sides && samples[i].singularities == singularities) {
-            std::call_once(once[i], [&] { made[i] = generate(samples[i]); });
-            return made[i];
-        }
-    return none;
+    const std::size_t i = sample_of(sides, singularities);
+    if (i == samples.size())
+        return none;
+    std::call_once(once[i], [&] { made[i] = generate(samples[i]); });
+    return made[i];
 }
 
 } // namespace alphamst::fill

@@ -11,4 +11,7 @@ namespace alphamst::fill {
 // Types with N = sides corners and k singularities, fewest chords last; empty where none are kept.
 const std::vector<Layout> &types(int sides, int singularities);
 
+// Whether there are any; makes none.
+bool has_types(int sides, int singularities);
+
 } // namespace alphamst::fill

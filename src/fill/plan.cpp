@@ -8,6 +8,7 @@
 
 #include "fill/alpha.h"
 #include "fill/exact.h"
+#include "fill/library.h"
 #include "fill/polygon.h"
 #include "fill/reading.h"
 
@@ -88,8 +89,8 @@ private:
 // The group of the next level that has any.
 std::vector<Candidate> Plan::Search::search_levels() {
     std::vector<Candidate> group;
-    for (const int first = readings_.least(); level_ <= first + most_levels && solves_ > 0 && group.empty();
-         ++level_) {
+    const int last = std::min(readings_.least() + most_levels, request_.fewer_than - 1);
+    for (; level_ <= last && solves_ > 0 && group.empty(); ++level_) {
         int tries = 0;
         for (const Reading &option : readings_.up_to(level_)) {
             const int surplus = level_ - option.least;
@@ -130,7 +131,7 @@ std::vector<Candidate> Plan::Search::exact_fillings(int best) {
         base += request_.regular[i] != 0 && request_.regular[i] != request_.word[i];
     const int excess = index(request_.word);
     if (best < 0)
-        best = base + std::abs(excess) + 6;
+        best = std::min(base + std::abs(excess) + 6, request_.fewer_than);
     ExactFiller filler(request_.node_limit);
     try {
         for (int k = std::abs(excess); base + k < best; k += 2) {
@@ -160,7 +161,11 @@ std::vector<Candidate> Plan::Search::exact_fillings(int best) {
 // Whether a filling of the option with that many singularities inside can have the wanted
 // number of faces; exact where a closed form says so.
 bool Plan::Search::reachable(const Reading &option, int inside) const {
-    if (request_.any_count || option.corners.empty())
+    if (option.corners.empty())
+        return true;
+    if (!has_types(static_cast<int>(option.sides.size()), inside))
+        return false;
+    if (request_.any_count)
         return true;
     const std::int64_t faces = request_.faces - static_cast<std::int64_t>(option.front->quads.size());
     const std::size_t n = option.sides.size();
@@ -195,7 +200,7 @@ void Plan::Search::try_polygon(const Reading &option, int singularities, std::ve
     query.seed = random_();
     query.effort = request_.any_count ? 3 : 8;
     query.enough = 6;
-    query.walks = 16;
+    query.walks = 12;
     const int boundary = static_cast<int>(request_.word.size());
     for (Template &t : solve(query, 4)) {
         double mean = t.evenness / static_cast<double>(t.x.size()), spread = 0;

@@ -19,6 +19,7 @@ struct Request {
     std::int64_t faces = 0;     // wanted
     bool any_count = false;     // fewest singularities first, faces only as near as possible
     std::int64_t tolerance = 2; // largest miss that is still offered when the count is not free
+    int fewer_than = 1 << 20;   // singularities
     int most = 16;              // candidates
     std::int64_t node_limit = 1000;
     std::uint64_t seed = 0;

@@ -11,7 +11,7 @@ namespace alphamst::geometry {
 
 namespace {
 
-constexpr double still = 2e-3;         // a vertex rests when it moves less, in wanted edge lengths
+constexpr double still = 1e-2;         // a vertex rests when it moves less, in wanted edge lengths
 constexpr double softest = 0.2;        // first epsilon at corners that are hardly positive
 constexpr double least_square = 1e-12; // of the scaled Jacobian, while softened
 constexpr double squeezed_below = 0.1;
@@ -119,7 +119,7 @@ void open_squeezed(const Problem &problem, Points &points, Floor floor) {
         return;
     Points other = points;
     const Region region(problem, squeezed, 3);
-    int iterations = 20;
+    int iterations = 8;
     newton(problem, region, other, iterations, squeezed_below);
     for (const int q : region.quads)
         if (const auto i = static_cast<std::size_t>(q);

@@ -140,7 +140,7 @@ TEST(Library, MovesKeepTheSidesAndPredictTheFaces) {
                 x.push_back(10 + static_cast<int>(random() % 5));
             const auto lengths = side_lengths(type, x);
             const auto faces = face_count(type, x);
-            for (const Layout::Move &move : type.moves)
+            for (const Move &move : type.moves)
                 for (const int t : {-3, -1, 1, 2}) {
                     Multiplicities y = x;
                     std::int64_t slope = 0;
