@@ -53,7 +53,7 @@ constexpr double comfortable = 0.3;
 // that were predicted.
 class Choice {
     // Faces embedded in all before a valid filling is no longer bettered by others like it.
-    static constexpr std::int64_t most_polish = 4000;
+    static constexpr std::int64_t most_polish = 2000;
 
 public:
     Choice(const Site &site, const Goal &goal, const Settings &settings)

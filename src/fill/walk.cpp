@@ -100,9 +100,9 @@ std::array<int, 4> promising(Change change, std::int64_t wanted, Steps range) {
     }
     std::array<int, 4> t{};
     for (std::size_t i = 0; i < 2; ++i) {
-        const int floor = static_cast<int>(std::floor(std::clamp(roots[i], -1e5, 1e5)));
-        t[2 * i] = std::clamp(floor, range.fewest, range.most);
-        t[2 * i + 1] = std::clamp(floor + 1, range.fewest, range.most);
+        const int near = static_cast<int>(std::clamp(roots[i], -1e5, 1e5)), below = near - (near > roots[i]);
+        t[2 * i] = std::clamp(below, range.fewest, range.most);
+        t[2 * i + 1] = std::clamp(below + 1, range.fewest, range.most);
     }
     return t;
 }
@@ -149,28 +149,32 @@ class Walk {
 public:
     Walk(const Layout &type, const WalkQuery &query) : type_(type), query_(query), random_(query.seed) {}
 
-    std::vector<Found> run(const Multiplicities &start) {
-        Place place(start);
+    std::vector<Found> run(const Multiplicities &x) {
+        if (type_.moves.empty()) {
+            collect(Place(x).x(), face_count(type_, x));
+            return std::move(found_);
+        }
+        Place place(x);
+        if (!approach(place, face_count(type_, x)))
+            return {};
+        place = Place(x);
         centre(type_.moves, place);
         std::int64_t faces = face_count(type_, multiplicities(place.x()));
         collect(place.x(), faces);
-        for (int step = 0; step < query_.effort && !type_.moves.empty() && !place.far(); ++step) {
-            const Next next = look_around(place, faces);
+        for (int step = 0; step < query_.effort && !place.far(); ++step) {
+            const Next next = look_around(place, faces, true);
             if (exact_ >= enough)
                 break;
             if (next.move != nullptr) {
-                faces += Change{place.slope(*next.move), next.move->curvature}.at(next.t);
-                place.go(*next.move, next.t);
+                follow(place, faces, *next.move, next.t);
                 continue;
             }
-            if (std::abs(faces - query_.faces) > 8 + query_.faces / 16)
+            if (!near(faces))
                 break; // the count is out of reach here
             const Move &move = type_.moves[random_() % type_.moves.size()];
             const Steps range = place.steps(move);
             const auto width = static_cast<std::uint64_t>(range.most - range.fewest + 1);
-            const int t = range.fewest + static_cast<int>(random_() % width);
-            faces += Change{place.slope(move), move.curvature}.at(t);
-            place.go(move, t);
+            follow(place, faces, move, range.fewest + static_cast<int>(random_() % width));
         }
         return std::move(found_);
     }
@@ -183,7 +187,32 @@ private:
         int t = 0;
     };
 
-    Next look_around(const Place &place, std::int64_t faces) {
+    bool in_range(std::int64_t faces) const {
+        return faces >= query_.fewest_faces && faces <= query_.most_faces;
+    }
+
+    bool near(std::int64_t faces) const {
+        return in_range(faces) || std::abs(faces - query_.faces) <= 8 + query_.faces / 16;
+    }
+
+    // Whether the count comes near by the best move each time: most types are ruled out so.
+    bool approach(Place &place, std::int64_t faces) {
+        for (int step = 0; step < 6 && !place.far() && !near(faces); ++step) {
+            const Next next = look_around(place, faces, false);
+            if (next.move == nullptr)
+                return false;
+            follow(place, faces, *next.move, next.t);
+        }
+        return near(faces);
+    }
+
+    static void follow(Place &place, std::int64_t &faces, const Move &move, int t) {
+        faces += Change{place.slope(move), move.curvature}.at(t);
+        place.go(move, t);
+    }
+
+    // The step to the nearest face count.
+    Next look_around(const Place &place, std::int64_t faces, bool collecting) {
         Next next;
         std::int64_t nearest = std::abs(faces - query_.faces);
         for (const Move &move : type_.moves) {
@@ -193,7 +222,7 @@ private:
             const Change change{place.slope(move), move.curvature};
             for (const int t : promising(change, query_.faces - faces, range)) {
                 const std::int64_t reached = faces + change.at(t);
-                if (t != 0 && reached >= query_.fewest_faces && reached <= query_.most_faces)
+                if (collecting && t != 0 && in_range(reached))
                     collect(place.moved(move, t), reached);
                 if (const std::int64_t miss = std::abs(reached - query_.faces); miss < nearest) {
                     nearest = miss;
@@ -205,7 +234,7 @@ private:
     }
 
     void collect(const Lanes &x, std::int64_t faces) {
-        if (faces < query_.fewest_faces || faces > query_.most_faces)
+        if (!in_range(faces))
             return;
         Multiplicities copies = multiplicities(x);
         for (const Found &old : found_)

@@ -111,6 +111,8 @@ inline void add_sharp(Expansion &e, const Angle &corner, const Turn &t, double r
 
 double relax(const Barrier &barrier, std::span<const Sector> star, Points &points, int vertex, Floor floor) {
     const Expansion e = expand(barrier, star, points, points[static_cast<std::size_t>(vertex)]);
+    if (barrier.epsilon == 0 && floor <= 0)
+        floor = no_floor; // the barrier alone keeps every corner positive
     return search(e, star, points, vertex, floor,
                   [&](const Vector2d &x) { return value(barrier, star, points, x); });
 }
