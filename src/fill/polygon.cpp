@@ -20,12 +20,26 @@ double evenness(const Multiplicities &x) {
     return sum;
 }
 
-Sides turned(const Sides &sides, int first, bool mirror) {
+// The sides from another one on, or backwards.
+struct Turn {
+    Sides sides;
+    int first;
+    bool mirror;
+};
+
+std::vector<Turn> different_turns(const Sides &sides) {
     const int n = static_cast<int>(sides.size());
-    Sides result;
-    for (int i = 0; i < n; ++i)
-        result.push_back(sides[static_cast<std::size_t>(mirror ? (first - i + 2 * n) % n : (first + i) % n)]);
-    return result;
+    std::vector<Turn> turns;
+    for (const bool mirror : {false, true})
+        for (int first = 0; first < n; ++first) {
+            Sides turned;
+            for (int i = 0; i < n; ++i)
+                turned.push_back(sides[static_cast<std::size_t>((mirror ? first - i + n : first + i) % n)]);
+            if (std::none_of(turns.begin(), turns.end(),
+                             [&](const Turn &old) { return old.sides == turned; }))
+                turns.push_back({std::move(turned), first, mirror});
+        }
+    return turns;
 }
 
 std::vector<Template> best(const PolygonQuery &query, std::vector<Template> all, std::size_t most) {
@@ -42,33 +56,26 @@ std::vector<Template> best(const PolygonQuery &query, std::vector<Template> all,
 
 std::vector<Template> solve(const PolygonQuery &query, std::size_t most) {
     std::vector<Template> all;
-    const int n = static_cast<int>(query.sides.size());
+    const std::vector<Turn> turns = different_turns(query.sides);
     std::uint64_t seed = query.seed;
     int exact = 0, walks = 0;
-    for (const Layout &type : types(n, query.singularities)) {
-        std::vector<Sides> tried;
-        for (int mirror = 0; mirror < 2; ++mirror)
-            for (int first = 0; first < n; ++first) {
-                const Sides sides = turned(query.sides, first, mirror != 0);
-                if (std::find(tried.begin(), tried.end(), sides) != tried.end())
-                    continue;
-                tried.push_back(sides);
-                const auto x = start(type, sides);
-                if (!x)
-                    continue;
-                if (walks++ >= query.walks && (!all.empty() || query.fewest_faces == query.most_faces))
-                    return best(query, std::move(all), most);
-                const WalkQuery goal{query.fewest_faces, query.most_faces, query.faces, query.effort, ++seed};
-                for (Found &found : walk(type, *x, goal)) {
-                    const double even = evenness(found.x);
-                    exact += found.faces == query.faces;
-                    all.push_back({&type, std::move(found.x), first, mirror != 0, found.faces,
-                                   type.singularities(), even});
-                }
-                if (exact >= query.enough)
-                    return best(query, std::move(all), most);
+    for (const Layout &type : types(static_cast<int>(query.sides.size()), query.singularities))
+        for (const Turn &turn : turns) {
+            const auto x = start(type, turn.sides);
+            if (!x)
+                continue;
+            if (walks++ >= query.walks && (!all.empty() || query.fewest_faces == query.most_faces))
+                return best(query, std::move(all), most);
+            const WalkQuery goal{query.fewest_faces, query.most_faces, query.faces, query.effort, ++seed};
+            for (Found &found : walk(type, *x, goal)) {
+                const double even = evenness(found.x);
+                exact += found.faces == query.faces;
+                all.push_back({&type, std::move(found.x), turn.first, turn.mirror, found.faces,
+                               type.singularities(), even});
             }
-    }
+            if (exact >= query.enough)
+                return best(query, std::move(all), most);
+        }
     return best(query, std::move(all), most);
 }
 

@@ -1,21 +1,28 @@
 #include "fill/start.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <array>
 
 namespace alphamst::fill {
 namespace {
 
-// Chord after chord takes copies from what is left of its sides.
+constexpr std::size_t most_sides = 6;
+
+// Chord after chord takes copies from what is left of its sides. Thousands are tried for one
+// filling, so nothing here asks for memory.
 class Search {
 public:
-    Search(const Layout &type, std::vector<int> rest)
-        : type_(type), x_(static_cast<std::size_t>(type.chords), 1), rest_(std::move(rest)) {}
+    explicit Search(const Layout &type) : type_(type) { x_.fill(1); }
 
-    std::optional<Multiplicities> run() {
+    std::optional<Multiplicities> run(const Sides &sides) {
+        std::copy(sides.begin(), sides.end(), rest_.begin());
+        for (const Layout::Turn &turn : type_.order)
+            for (const Layout::Turn::End &end : turn.ends)
+                if ((rest_[end.side] -= end.count) < 0)
+                    return std::nullopt;
         if (!visit(0))
             return std::nullopt;
-        return std::move(x_);
+        return Multiplicities(x_.begin(), x_.begin() + type_.chords);
     }
 
 private:
@@ -54,9 +61,9 @@ private:
     }
 
     const Layout &type_;
-    Multiplicities x_;
-    std::vector<int> rest_; // of the sides, beyond one copy of each chord
-    int budget_ = 400;
+    std::array<int, most_chords> x_;
+    std::array<int, most_sides> rest_{}; // of the sides, beyond one copy of each chord
+    int budget_ = 60;
 };
 
 } // namespace
@@ -98,12 +105,7 @@ std::vector<Layout::Turn> start_order(const Layout &type) {
 }
 
 std::optional<Multiplicities> start(const Layout &type, const Sides &sides) {
-    std::vector<int> rest = sides;
-    for (const Layout::Turn &turn : type.order)
-        for (const Layout::Turn::End &end : turn.ends)
-            if ((rest[end.side] -= end.count) < 0)
-                return std::nullopt;
-    return Search(type, std::move(rest)).run();
+    return Search(type).run(sides);
 }
 
 } // namespace alphamst::fill
