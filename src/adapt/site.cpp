@@ -35,6 +35,7 @@ Site::Site(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, co
     if (bits != 0)
         throw Refusal{Fault::patch, name_defects(bits)};
     window = patch::make_window(mesh, patch.faces);
+    angles_ = patch::loop_angles(mesh, window);
     regular_ = window.wanted;
     if (!patch.corners.empty())
         use_corners(patch.corners);
@@ -107,7 +108,7 @@ fill::Request Site::request() const {
     for (std::size_t i = 0; i < window.loop.size(); ++i)
         request.regular.push_back(
             corners_given_ || mesh_.on_boundary(window.loop[i]) ? regular_[i] : 4 - window.outside[i]);
-    request.angles = patch::loop_angles(mesh_, window);
+    request.angles = angles_;
     request.least_sine = least_sine_;
     request.faces = goal_.faces;
     request.any_count = goal_.any_count;
@@ -134,11 +135,10 @@ void Site::use_corners(const std::vector<int> &corners) {
 
 void Site::keep_angles() {
     least_sine_ = std::min(0.95, old_quality + 0.01);
-    const std::vector<double> angles = patch::loop_angles(mesh_, window);
-    for (std::size_t i = 0; i < angles.size(); ++i) {
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
         auto sine = [&](int letter) {
             constexpr double degree = 3.14159265358979323846 / 180;
-            return angles[i] < 175 * letter ? std::sin(angles[i] / letter * degree) : -1;
+            return angles_[i] < 175 * letter ? std::sin(angles_[i] / letter * degree) : -1;
         };
         int best = window.wanted[i];
         for (int away = 1; away < 3 && sine(best) < least_sine_; ++away)

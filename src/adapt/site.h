@@ -96,6 +96,7 @@ private:
     const Settings &settings_;
     geometry::Plane plane_;
     geometry::Points old_positions_; // loop, then interior
+    std::vector<double> angles_;     // of the loop
     int old_singular_all_ = 0;       // and mismatches on the mesh boundary
     double least_sine_ = 0;
     bool corners_given_ = false;

@@ -200,7 +200,7 @@ void Plan::Search::try_polygon(const Reading &option, int singularities, std::ve
     query.seed = random_();
     query.effort = request_.any_count ? 3 : 8;
     query.enough = 6;
-    query.walks = 12;
+    query.walks = 10;
     const int boundary = static_cast<int>(request_.word.size());
     for (Template &t : solve(query, 4)) {
         double mean = t.evenness / static_cast<double>(t.x.size()), spread = 0;

@@ -15,10 +15,11 @@ constexpr double still = 1e-2;         // a vertex rests when it moves less, in 
 constexpr double softest = 0.2;        // first epsilon at corners that are hardly positive
 constexpr double least_square = 1e-12; // of the scaled Jacobian, while softened
 constexpr double squeezed_below = 0.1;
-constexpr double poor_band = 0.15;   // corners up to this above the worst are sharpened with it
-constexpr double least_gain = 2e-3;  // of the smallest scaled Jacobian in a round of sharpening
-constexpr int sharpen_sweeps = 3;    // in a round
-constexpr double least_area = 0.005; // of a corner, over the wanted one, that sharpening makes
+constexpr std::size_t most_together = 60; // of more vertices at once none was seen to gain
+constexpr double poor_band = 0.15;        // corners up to this above the worst are sharpened with it
+constexpr double least_gain = 2e-3;       // of the smallest scaled Jacobian in a round of sharpening
+constexpr int sharpen_sweeps = 3;         // in a round
+constexpr double least_area = 0.005;      // of a corner, over the wanted one, that sharpening makes
 
 // Smallest over the corners of a quad.
 struct Worst {
@@ -119,6 +120,8 @@ void open_squeezed(const Problem &problem, Points &points, Floor floor) {
         return;
     Points other = points;
     const Region region(problem, squeezed, 3);
+    if (region.vertices.size() > most_together)
+        return;
     int iterations = 8;
     newton(problem, region, other, iterations, squeezed_below);
     for (const int q : region.quads)
