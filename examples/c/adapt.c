@@ -2,7 +2,7 @@
  * the C interface alone.
  *
  *   scripts/demo                                     from a fresh clone, all steps
- *   build/demo/examples/adapt out/coast.msh out      this program again
+ *   build/demo/examples/c/adapt out/coast.msh out      this program again
  *
  * Two choices of patches are made, each adapted with every alpha on a clone of the mesh:
  * six round ones far from the boundary and from each other, one row of the table each; then
