@@ -130,7 +130,7 @@ private:
         later_ += as_predicted ? 0 : 1;
         ++tried_;
         ++tried_here_;
-        return judge(std::move(shape), std::move(valences), as_predicted ? 0 : later_);
+        return judge(std::move(shape), std::move(valences), as_predicted || goal_.keep_quality ? 0 : later_);
     }
 
     // Whether the filling is good enough to end the search.
@@ -195,7 +195,12 @@ Prediction first_choice(const mesh::QuadMesh &mesh, const Region &patch, const G
                         const Settings &settings) {
     try {
         const Site site(mesh, patch, goal, settings);
-        return Choice(site, goal, settings).first();
+        Choice choice(site, goal, settings);
+        if (!goal.keep_quality)
+            return choice.first();
+        // Which one is better than the present filling only its shape can tell.
+        const Best best = choice.run();
+        return {static_cast<std::int64_t>(best.filling.quads.size()), singular(best.valences)};
     } catch (const Refusal &refusal) {
         throw Failure(refusal.fault, refusal.text);
     }

@@ -28,7 +28,8 @@ struct Proposal {
 // the arguments alone.
 Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings);
 
-// The numbers of the first filling that propose would try. Throws Failure where there is none.
+// The numbers of the first filling that propose would try or, where the old quality is to be kept,
+// of the one that it takes. Throws Failure where there is none.
 Prediction first_choice(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal,
                         const Settings &settings);
 

@@ -92,12 +92,8 @@ geometry::Embedding Site::embed(const Shape &shape) const {
 std::vector<OpenMesh::Vec3d> Site::lift(const geometry::Points &positions) const {
     std::vector<OpenMesh::Vec3d> points;
     for (std::size_t v = window.loop.size(); v < positions.size(); ++v) {
-        if (mesh_.dim() == 2) {
-            points.emplace_back(positions[v].x(), positions[v].y(), 0.0);
-            continue;
-        }
         const Eigen::Vector3d p = plane_.to_space(positions[v]);
-        points.emplace_back(p.x(), p.y(), p.z());
+        points.emplace_back(p.x(), p.y(), mesh_.dim() == 2 ? 0.0 : p.z());
     }
     return points;
 }
@@ -155,15 +151,11 @@ void Site::flatten() {
         points.push_back(vector(mesh_.point(v)));
     for (const int v : window.interior)
         points.push_back(vector(mesh_.point(v)));
-    if (mesh_.dim() == 2) {
-        for (const Eigen::Vector3d &p : points)
-            old_positions_.push_back(p.head<2>());
-        return;
-    }
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < window.loop.size(); ++i)
         normal += (points[i] - points[0]).cross(points[(i + 1) % window.loop.size()] - points[0]);
-    plane_ = geometry::Plane::fit(points, normal);
+    plane_ = mesh_.dim() == 2 ? geometry::Plane::of_coordinates(normal.z() < 0)
+                              : geometry::Plane::fit(points, normal);
     if (!plane_.holds(points))
         throw Refusal{Fault::unsupported,
                       "the patch is curved; this version adapts patches that lie in a plane"};

@@ -69,13 +69,14 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
 
     geometry::Plane plane;
     geometry::Points positions;
-    if (mesh.dim() == 3 && !points.empty()) {
+    if (!points.empty()) {
         Eigen::Vector3d normal = Eigen::Vector3d::Zero();
         for (const auto &quad : quads)
             normal += (points[static_cast<std::size_t>(quad[2])] - points[static_cast<std::size_t>(quad[0])])
                           .cross(points[static_cast<std::size_t>(quad[3])] -
                                  points[static_cast<std::size_t>(quad[1])]);
-        plane = geometry::Plane::fit(points, normal);
+        plane = mesh.dim() == 2 ? geometry::Plane::of_coordinates(normal.z() < 0)
+                                : geometry::Plane::fit(points, normal);
         if (!plane.holds(points)) {
             outcome.fault = Fault::unsupported;
             outcome.text = "the faces are curved; this version smooths faces that lie in a plane";
@@ -83,7 +84,7 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
         }
     }
     for (const auto &p : points)
-        positions.push_back(mesh.dim() == 2 ? Eigen::Vector2d(p.head<2>()) : plane.to_plane(p));
+        positions.push_back(plane.to_plane(p));
     outcome.quality_before = geometry::judge(quads, positions).min_scaled_jacobian;
     geometry::EmbedOptions options;
     options.steps = settings.smooth_steps;
@@ -92,9 +93,8 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         if (fixed[i])
             continue;
-        const Eigen::Vector2d &p = improved.positions[i];
-        const Eigen::Vector3d q = mesh.dim() == 2 ? Eigen::Vector3d(p.x(), p.y(), 0) : plane.to_space(p);
-        mesh.set_point(vertices[i], {q.x(), q.y(), q.z()});
+        const Eigen::Vector3d p = plane.to_space(improved.positions[i]);
+        mesh.set_point(vertices[i], {p.x(), p.y(), mesh.dim() == 2 ? 0.0 : p.z()});
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;

@@ -37,6 +37,13 @@ Plane Plane::fit(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d 
     return plane;
 }
 
+Plane Plane::of_coordinates(bool from_below) {
+    Plane plane;
+    if (from_below)
+        plane.frame_.diagonal() = Eigen::Vector3d(1, -1, -1);
+    return plane;
+}
+
 double Plane::deviation(std::span<const Eigen::Vector3d> points) const {
     double largest = 0;
     for (const auto &p : points)

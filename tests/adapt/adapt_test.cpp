@@ -60,6 +60,33 @@ TEST(Adapt, AgainAndAgain) { // what is renumbered must be found again
     }
 }
 
+// Some programs write faces clockwise; then the mesh is seen from below.
+TEST(Adapt, ClockwiseMeshIsAdaptedAsItsMirrorImage) {
+    const mesh::QuadMesh mesh = unstructured(20, 5);
+    mesh::QuadMesh below = mesh;
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        below.set_point(v, {mesh.point(v)[0], -mesh.point(v)[1], 0});
+    std::mt19937 random(6);
+    int done = 0;
+    for (const double alpha : {0.6, 1.0, 2.0, 3.0}) {
+        const std::vector<int> patch = random_patch(mesh, 40, 80, random);
+        mesh::QuadMesh one = mesh, other = below;
+        const Outcome expected = adapt_one(one, patch, alpha), outcome = adapt_one(other, patch, alpha);
+        ASSERT_EQ(outcome.fault, expected.fault);
+        EXPECT_EQ(outcome.singular_after, expected.singular_after);
+        EXPECT_EQ(outcome.quality_after, expected.quality_after);
+        done += !outcome.fault;
+        ASSERT_EQ(other.n_vertices(), one.n_vertices());
+        for (int v = 0; v < one.n_vertices(); ++v)
+            ASSERT_EQ(other.point(v), OpenMesh::Vec3d(one.point(v)[0], -one.point(v)[1], 0));
+        smooth(one, nullptr, {}, silent);
+        smooth(other, nullptr, {}, silent);
+        for (int v = 0; v < one.n_vertices(); ++v)
+            ASSERT_EQ(other.point(v), OpenMesh::Vec3d(one.point(v)[0], -one.point(v)[1], 0));
+    }
+    EXPECT_GE(done, 3);
+}
+
 TEST(Adapt, RegularBlockBecomesFinerAndCoarser) {
     for (const double alpha : {0.6, 0.8, 1.25, 2.0, 3.0}) {
         const Middle middle;
