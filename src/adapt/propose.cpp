@@ -57,7 +57,8 @@ class Choice {
 
 public:
     Choice(const Site &site, const Goal &goal, const Settings &settings)
-        : site_(site), goal_(goal), settings_(settings), present_(site.present()) {}
+        : site_(site), goal_(goal), settings_(settings), present_(site.present()),
+          singular_before_(singular(site.valences(site.old))) {}
 
     Best run() {
         each([&](Shape shape) { return !try_one(std::move(shape)); });
@@ -114,6 +115,8 @@ private:
         auto valences = site_.valences(filling);
         const auto faces = static_cast<std::int64_t>(filling.quads.size());
         const std::int64_t singular_now = singular(valences);
+        if (goal_.keep_quality && singular_now > singular_before_)
+            return false; // better on the mesh boundary alone
         if (first_faces_ < 0) {
             first_faces_ = faces;
             first_singular_ = singular_now;
@@ -150,6 +153,7 @@ private:
     const Goal &goal_;
     const Settings &settings_;
     const std::optional<Site::Offer> present_;
+    const std::int64_t singular_before_;
     Obstacles obstacles_;
     Best best_;
     std::int64_t first_faces_ = -1, first_singular_ = -1, later_ = 0, tried_ = 0, tried_here_ = 0;
