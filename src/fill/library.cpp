@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -65,11 +66,11 @@ bool canonical(const Sides &sides) {
 std::vector<Move> moves_of(const Layout &layout) {
     const auto chords = static_cast<std::size_t>(layout.chords);
     const int reach = layout.chords - layout.sides > 6 ? 1 : 2;
-    std::vector<std::size_t> last(layout.incidence.size(), 0); // last chord with an end on the side
-    for (std::size_t i = 0; i < last.size(); ++i)
-        for (std::size_t j = 0; j < chords; ++j)
-            if (layout.incidence[i][j] != 0)
-                last[i] = j;
+    // What the chords from one on can still add to a side.
+    std::vector<std::vector<int>> later(layout.incidence.size(), std::vector<int>(chords + 1, 0));
+    for (std::size_t i = 0; i < later.size(); ++i)
+        for (std::size_t j = chords; j-- > 0;)
+            later[i][j] = later[i][j + 1] + reach * layout.incidence[i][j];
     std::vector<Multiplicities> moves;
     Multiplicities z(chords, 0);
     std::vector<int> sum(layout.incidence.size(), 0);
@@ -83,7 +84,7 @@ std::vector<Move> moves_of(const Layout &layout) {
         for (int value = -reach; value <= reach; ++value) {
             bool open = true;
             for (std::size_t i = 0; i < sum.size(); ++i)
-                open = open && (last[i] != j || sum[i] + layout.incidence[i][j] * value == 0);
+                open = open && std::abs(sum[i] + layout.incidence[i][j] * value) <= later[i][j + 1];
             if (!open)
                 continue;
             z[j] = value;
@@ -115,12 +116,12 @@ std::vector<Layout> generate(const Sample &sample) {
     const int index = 4 - sample.sides;
     const int v3 = (sample.singularities + index) / 2, v5 = (sample.singularities - index) / 2;
     Sides sides(static_cast<std::size_t>(sample.sides), sample.shortest);
+    ExactFiller filler(100000000); // one for all: what they share is searched once
     auto search = [&] {
         const int perimeter = std::accumulate(sides.begin(), sides.end(), 0);
         if (perimeter % 2 != 0 || perimeter > sample.perimeter || !canonical(sides))
             return;
         const Word word = polygon_word(sides);
-        ExactFiller filler(1000000);
         const FaceSet counts = filler.faces(word, v3, v5, sample.faces);
         int taken = 0;
         for (int f = 1; f <= sample.faces && taken < sample.counts; ++f) {
