@@ -252,7 +252,7 @@ AMST_API amst_status amst_last_error_where(int32_t *entity, amst_id *id, amst_id
  * Errors: ARGUMENT (index_base). */
 AMST_API amst_status amst_context_create(int32_t index_base, amst_context **out);
 AMST_API void amst_context_destroy(amst_context *ctx);
-/* 0 all cores, n exactly n; 1 at creation. Errors: RANGE (n < 0). */
+/* Threads of an operation: 0 all cores, n at most n; 1 at creation. Errors: RANGE (n < 0). */
 AMST_API amst_status amst_context_set_threads(amst_context *ctx, int32_t n);
 /* Messages up to a level of amst_log_level, and the progress of operations, go to
  * the caller's functions, which get `user` back. NULL fn switches off, which is the

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -81,6 +83,15 @@ std::vector<std::size_t> independent(const mesh::QuadMesh &mesh, const std::vect
     return batch;
 }
 
+// Asked for more than the cores or than the program allows, TBB prints a warning.
+int concurrency(int threads) {
+    const std::size_t allowed =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    const int most =
+        std::min(tbb::info::default_concurrency(), static_cast<int>(std::min<std::size_t>(allowed, 4096)));
+    return threads == 0 ? most : std::min(threads, most);
+}
+
 } // namespace
 
 std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, const Settings &settings,
@@ -90,7 +101,7 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
     std::vector<std::size_t> waiting(patches.size());
     std::iota(waiting.begin(), waiting.end(), std::size_t{0});
     Numbers numbers(mesh, patches);
-    tbb::task_arena arena(settings.threads == 0 ? tbb::task_arena::automatic : settings.threads);
+    tbb::task_arena arena(concurrency(settings.threads));
     const std::size_t round = 8 * static_cast<std::size_t>(std::max(1, arena.max_concurrency()));
     std::size_t done = 0;
     while (!waiting.empty()) {

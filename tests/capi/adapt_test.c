@@ -1,5 +1,8 @@
 /* amst_adapt: exact counts, nothing changed outside, the set moves along. */
+#define _POSIX_C_SOURCE 200809L
 #include <math.h>
+#include <stdio.h>
+#include <unistd.h>
 
 #include "grid.h"
 
@@ -288,8 +291,29 @@ static void equal_for_any_number_of_threads(void **state) {
     assert_true(adapted_digest(0) == one);
 }
 
+/* More threads than cores: the thread library would say so on stderr. */
+static void nothing_is_printed(void **state) {
+    (void)state;
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    fflush(stdout);
+    fflush(stderr);
+    const int out = dup(STDOUT_FILENO), err = dup(STDERR_FILENO);
+    assert_true(dup2(fileno(file), STDOUT_FILENO) >= 0 && dup2(fileno(file), STDERR_FILENO) >= 0);
+    adapted_digest(64);
+    fflush(stdout);
+    fflush(stderr);
+    const off_t printed = lseek(fileno(file), 0, SEEK_END);
+    assert_true(dup2(out, STDOUT_FILENO) >= 0 && dup2(err, STDERR_FILENO) >= 0);
+    close(out);
+    close(err);
+    fclose(file);
+    assert_int_equal(printed, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_is_printed), /* first: it is said once only */
         cmocka_unit_test(counts_are_exact_and_the_outside_is_untouched),
         cmocka_unit_test(simplification_delivers_or_leaves),
         cmocka_unit_test(each_patch_may_have_its_own_alpha),
