@@ -85,6 +85,8 @@ std::vector<std::size_t> independent(const mesh::QuadMesh &mesh, const std::vect
 
 // Asked for more than the cores or than the program allows, TBB prints a warning.
 int concurrency(int threads) {
+    if (threads == 1)
+        return 1; // without a word to TBB, which never ends where it finds no memory to begin
     const std::size_t allowed =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     const int most =

@@ -54,6 +54,8 @@ constexpr double comfortable = 0.3;
 class Choice {
     // Faces embedded in all before a valid filling is no longer bettered by others like it.
     static constexpr std::int64_t most_polish = 2000;
+    // Likewise before nothing is expected any more to be better than the present filling.
+    static constexpr std::int64_t most_hope = 20000;
 
 public:
     Choice(const Site &site, const Goal &goal, const Settings &settings)
@@ -108,6 +110,8 @@ private:
             visit_one(*present_);
     }
 
+    bool is_old(const fill::Filling &filling) const { return present_ && filling.quads == site_.old.quads; }
+
     // Whether the search is over. Fillings with other numbers than the first are tried only if none
     // with the same is valid, or, where the old quality is to be kept, good enough.
     bool try_one(Shape shape) {
@@ -126,9 +130,10 @@ private:
             return false; // the predicted count is kept, come what may
         if (best_.number >= 0 && !goal_.keep_quality && (!as_predicted || tried_ * faces > most_polish))
             return true;
-        if (tried_here_ >= settings_.candidates && !(present_ && filling.quads == site_.old.quads))
+        if (tried_here_ >= settings_.candidates && !is_old(filling))
             return false;
-        if (obstacles_.met_by(filling))
+        if (obstacles_.met_by(filling) ||
+            (goal_.keep_quality && tried_ * faces > most_hope && !is_old(filling)))
             return false;
         later_ += as_predicted ? 0 : 1;
         ++tried_;

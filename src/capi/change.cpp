@@ -147,11 +147,11 @@ void Change::log(const std::vector<adapt::Outcome> &outcomes, const Report &repo
 }
 
 amst_status Change::finish(const std::vector<adapt::Outcome> &outcomes, bool exact, amst_report **report) {
-    progress_(1, "commit");
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
     if (report != nullptr)
         describe_meshes(made->impl);
     log(outcomes, made->impl);
+    progress_(1, "commit"); // last, so that a log function can cancel, too
     const amst_status status = made->impl.all.status;
     commit();
     if (report != nullptr)

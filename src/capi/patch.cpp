@@ -56,6 +56,15 @@ patch::Window window_of(const Asked &asked) {
     throw failure;
 }
 
+adapt::Prediction predict(const Asked &asked, double alpha, const adapt::Settings &settings) {
+    try {
+        return adapt::predict(asked.mesh(), asked.region, alpha, settings);
+    } catch (Failure &failure) {
+        failure.patch = asked.id;
+        throw;
+    }
+}
+
 // On the loop, and met in the order given when it is walked once.
 bool usable_corners(const std::vector<int> &loop, const std::vector<int> &corners) {
     std::vector<std::ptrdiff_t> places;
@@ -161,7 +170,7 @@ amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, dou
         const Asked asked = ask(patches, patch);
         require_real(alpha, 0, true, "alpha");
         const adapt::Settings settings = settings_of(options_of(options), asked.set.mesh->context->threads);
-        const adapt::Prediction prediction = adapt::predict(asked.mesh(), asked.region, alpha, settings);
+        const adapt::Prediction prediction = predict(asked, alpha, settings);
         if (faces != nullptr)
             *faces = prediction.faces;
         if (singularities != nullptr)

@@ -138,6 +138,9 @@ static void without_repair_defects_are_told(void **state) {
         must(amst_last_error_where(NULL, NULL, &told));
         assert_int_equal(told, patch);
         refused(AMST_ERR_PATCH, amst_patches_predict(set, patch, 1, NULL, NULL, NULL));
+        amst_id place = -9;
+        must(amst_last_error_where(NULL, NULL, &place));
+        assert_int_equal(place, patch);
     }
 }
 
