@@ -4,50 +4,37 @@
 matrix      the header compiles alone, without a warning, in every C and C++
 symbols     declared in the header = exported by the library = listed in symbols.txt
 constants   every value in constants.txt is still the header's, and none is missing there
+abi         no type, argument or member in libalphamst.abi has changed or moved
 bindgen     bindgen reads the header and finds every function
-update      adds what is new in the header to symbols.txt and constants.txt; refuses to
-            change or drop a line, since that breaks programs already compiled
+update      adds what is new in the header to the three files; refuses to change or
+            drop anything in them, since that breaks programs already compiled
+
+libalphamst.abi is not taken from the library, which has no debug information and, if it
+had, would tell of its inner C++ too. It is taken from a C file with an empty body for
+every function of the header. That the library is made of the same types is the
+compiler's work: what does not see the header is not exported, see symbols, and what
+contradicts it does not compile.
 """
 
 import argparse
 import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
-HERE = pathlib.Path(__file__).resolve().parent
-INCLUDE = HERE.parent.parent / "include"
-HEADER = INCLUDE / "alphamst" / "alphamst.h"
+from header import HEADER, HERE, INCLUDE, interface, must_run, run
+
 SYMBOLS = HERE / "symbols.txt"
 CONSTANTS = HERE / "constants.txt"
+ABI = HERE / "libalphamst.abi"
 
 WARNINGS = ["-pedantic", "-Wall", "-Wextra", "-Werror"]
 C_STANDARDS = ["c90", "c99", "c11", "c17", "c2x"]
 CXX_STANDARDS = ["c++98", "c++03", "c++11", "c++14", "c++17", "c++20"]
 COMPILERS = [("gcc", "c", C_STANDARDS), ("clang", "c", C_STANDARDS),
              ("g++", "c++", CXX_STANDARDS), ("clang++", "c++", CXX_STANDARDS)]
-
-
-def run(command, **options):
-    return subprocess.run(command, text=True, capture_output=True, check=False, **options)
-
-
-def must_run(command):
-    done = run(command)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
-    return done.stdout
-
-
-def code():
-    """The header without its comments."""
-    return re.sub(r"/\*.*?\*/", "", HEADER.read_text(encoding="utf-8"), flags=re.S)
-
-
-def declared():
-    return set(re.findall(r"\bAMST_API\b[^;(]*?\b(amst_\w+)\s*\(", code()))
 
 
 def exported(library):
@@ -58,18 +45,7 @@ def exported(library):
 
 
 def constants():
-    """Names and values of all enumerators, the values as a compiler sees them."""
-    bodies = re.findall(r"\benum\s+amst_\w+\s*\{(.*?)\}", code(), flags=re.S)
-    names = [name for body in bodies for name in re.findall(r"\b(AMST_\w+)\s*(?==|,|$)", body)]
-    lines = "".join(f'    printf("{name} %ld\\n", (long){name});\n' for name in names)
-    with tempfile.TemporaryDirectory() as directory:
-        source = os.path.join(directory, "constants.c")
-        program = os.path.join(directory, "constants")
-        with open(source, "w", encoding="utf-8") as file:
-            file.write("#include <alphamst/alphamst.h>\n#include <stdio.h>\n"
-                       f"int main(void) {{\n{lines}    return 0;\n}}\n")
-        must_run(["cc", f"-I{INCLUDE}", source, "-o", program])
-        return must_run([program]).splitlines()
+    return [f"{name} {value}" for name, value in interface().constants.items()]
 
 
 def listed(path):
@@ -98,23 +74,76 @@ def matrix(_):
 
 
 def symbols(library):
-    return (differences("exported", declared(), exported(library))
-            + differences("symbols.txt", declared(), listed(SYMBOLS)))
+    declared = interface().functions
+    return (differences("exported", declared, exported(library))
+            + differences("symbols.txt", declared, listed(SYMBOLS)))
 
 
 def constants_kept(_):
     return differences("constants.txt", constants(), listed(CONSTANTS))
 
 
+def stub():
+    """A C file that defines every function of the header."""
+    code = re.sub(r"/\*.*?\*/|^#.*?$", "", HEADER.read_text(encoding="utf-8"), flags=re.S | re.M)
+    heads = re.findall(r"\bAMST_API\b([^;]*);", code)
+    bodies = ["{}" if head.split()[0] == "void" else "{ return 0; }" for head in heads]
+    return "#include <alphamst/alphamst.h>\n" + "".join(map("{} {}\n".format, heads, bodies))
+
+
+def dump(directory):
+    """The header's ABI in libabigail's words; the text is the same wherever it is made."""
+    with open(os.path.join(directory, "alphamst.c"), "w", encoding="utf-8") as file:
+        file.write(stub())
+    must_run(["gcc", "-std=c99", "-gdwarf-4", "-fPIC", "-shared", f"-I{INCLUDE}", "alphamst.c",
+              "-o", "stub.so"], cwd=directory)
+    return must_run(["abidw", "--no-corpus-path", "--no-comp-dir-path", "--no-show-locs",
+                     "--no-elf-needed", "--no-architecture", "stub.so"], cwd=directory)
+
+
+def argument_names(path):
+    functions = xml.etree.ElementTree.parse(path).iter("function-decl")
+    return {function.get("name"): [entry.get("name") for entry in function.iter("parameter")]
+            for function in functions}
+
+
+def abi_differences(directory):
+    """Of the header against libalphamst.abi. Additions are none; a swap of two arguments
+    of one type, which abidiff does not see, shows in their names."""
+    now = os.path.join(directory, "now.abi")
+    pathlib.Path(now).write_text(dump(directory), encoding="utf-8")
+    done = run(["abidiff", "--no-added-syms", str(ABI), now])
+    wrong = [done.stdout + done.stderr] if done.returncode != 0 else []
+    found = argument_names(now)
+    return wrong + [f"{name}: arguments were {', '.join(names)}; are {', '.join(found[name])}"
+                    for name, names in argument_names(ABI).items()
+                    if name in found and names != found[name]]
+
+
+def abi(_):
+    with tempfile.TemporaryDirectory() as directory:
+        return abi_differences(directory)
+
+
 def bindgen(_):
     bindings = must_run(["bindgen", str(HEADER), "--", "-std=c99"])
     found = set(re.findall(r"pub fn (amst_\w+)\s*\(", bindings))
-    return differences("bindgen", declared(), found)
+    return differences("bindgen", interface().functions, found)
+
+
+def update_abi():
+    with tempfile.TemporaryDirectory() as directory:
+        wrong = abi_differences(directory) if ABI.exists() else []
+        if not wrong:
+            text = dump(directory)
+            ABI.write_text(text, encoding="utf-8")
+            print(f"{ABI.name}: {text.count('<function-decl ')} functions")
+        return wrong
 
 
 def update(_):
-    wrong = []
-    for path, now in ((SYMBOLS, sorted(declared())), (CONSTANTS, constants())):
+    wrong = update_abi()
+    for path, now in ((SYMBOLS, sorted(interface().functions)), (CONSTANTS, constants())):
         lost = [line for line in listed(path) if line not in now]
         if lost:
             wrong += [f"{path.name}: the header no longer has '{line}'" for line in lost]
@@ -126,8 +155,8 @@ def update(_):
     return wrong
 
 
-CHECKS = {"matrix": matrix, "symbols": symbols, "constants": constants_kept, "bindgen": bindgen,
-          "update": update}
+CHECKS = {"matrix": matrix, "symbols": symbols, "constants": constants_kept, "abi": abi,
+          "bindgen": bindgen, "update": update}
 
 
 def main():

@@ -1,5 +1,6 @@
 #!/bin/sh
-# pkg-config.sh PREFIX LANGUAGE LINKAGE DIRECTORY: build and run version.* through pkg-config.
+# pkg-config.sh PREFIX LANGUAGE LINKAGE DIRECTORY: build and run version.* through pkg-config, or
+# finer.f90 with the Fortran binding.
 set -eu
 prefix=$1 language=$2 linkage=$3 directory=$4
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,6 +14,9 @@ if [ "$linkage" = static ]; then
     cflags=$(pkg-config --static --cflags alphamst)
     # Both libraries are installed, and the linker would take the shared one.
     libs=$(pkg-config --static --libs alphamst | sed 's/-lalphamst/-l:libalphamst.a/')
+elif [ "$linkage" = binding ]; then
+    cflags=$(pkg-config --cflags alphamst-fortran)
+    libs="$(pkg-config --libs alphamst-fortran) -Wl,-rpath,$libdir"
 else
     cflags=$(pkg-config --cflags alphamst)
     libs="$(pkg-config --libs alphamst) -Wl,-rpath,$libdir"
@@ -25,11 +29,14 @@ C) compile="${CC:-cc} $cflags $here/version.c" ;;
 CXX) compile="${CXX:-c++} $cflags $here/version.cpp" ;;
 Fortran) compile="${FC:-gfortran} $here/version.f90" ;;
 esac
+if [ "$linkage" = binding ]; then
+    compile="${FC:-gfortran} $cflags $here/finer.f90"
+fi
 
 rm -rf "$directory"
 mkdir -p "$directory"
 cd "$directory"
-echo "$compile -o version $libs"
+echo "$compile -o program $libs"
 # shellcheck disable=SC2086 # flags are words
-$compile -o version $libs
-./version
+$compile -o program $libs
+./program

@@ -1,0 +1,584 @@
+!> Meshes of quadrilaterals. Ids count from 1, 0 is "none"; angles are in degrees, lengths in the
+!> unit of the coordinates. Arrays have one column for each vertex, edge or face.
+!>
+!> Calls that take a mesh as intent(in) may run at the same time; one that takes it as intent(inout)
+!> needs it to itself.
+module alphamst_mesh
+    use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr
+    use, intrinsic :: iso_fortran_env, only: int32, int64, real64
+    use amst_c, only: amst_mesh_check, amst_mesh_clone, amst_mesh_create, amst_mesh_create_i64, &
+        amst_mesh_destroy, amst_mesh_find_edges, amst_mesh_forget, amst_mesh_get_checksum, &
+        amst_mesh_get_count, amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
+        amst_mesh_get_faces, amst_mesh_get_flags, amst_mesh_get_points, amst_mesh_get_quality, &
+        amst_mesh_get_revision, amst_mesh_get_singularities, amst_mesh_get_summary, &
+        amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_rollback, &
+        amst_mesh_set_flags, amst_mesh_set_points, amst_mesh_write, amst_summary
+    use alphamst_arrays, only: check_rows, deliver, fetch_reals_of, fetch_row, fetch_row_of, fetch_rows, &
+        fill_reals_of, fill_row, fill_row_of, fill_rows
+    use alphamst_context, only: amst_context
+    use alphamst_handle, only: amst_handle, handle_to_copy
+    use alphamst_library, only: settle, to_c
+    use alphamst_options, only: amst_options, handle_of_options
+    implicit none
+    private
+
+    !> Assignment makes a mesh of its own, with flags and revision, without savepoints.
+    !>
+    !> The functions below return new arrays. Their get_ forms fill an array of the caller, which may
+    !> have more columns than needed; n becomes the number of columns of the answer. Errors of those:
+    !> BUFFER_TOO_SMALL, ARGUMENT (first extent). All have the optional arguments stat and errmsg.
+    type, extends(amst_handle), public :: amst_mesh
+    contains
+        !> create(context, points(dim, :), faces(4, :) [, options]): faces of kind int32 or int64, corners
+        !> counter-clockwise, dim 2 or 3. An array section is copied first, see create_strided.
+        !> Errors: ARGUMENT (extents), RANGE (corner, count), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD.
+        generic :: create => create_int32, create_int64
+        !> create_strided(context, dim, points, n_vertices, vertex_stride, component_stride, faces,
+        !> n_faces, face_stride, corner_stride [, options]): component c of vertex v is
+        !> points(1 + (v - 1)*vertex_stride + (c - 1)*component_stride), faces likewise, so that for
+        !> points(n, dim) the strides are 1 and n. Both strides 0 means packed. Nothing is copied first.
+        !> Faces are of kind int32; for int64 it is create_strided_int64.
+        procedure :: create_strided, create_strided_int64
+        !> read(context, path [, options]): .off .obj .ply .msh .vtk; dim is 2 when every z is 0.
+        !> Errors: IO, FORMAT, UNSUPPORTED and those of create.
+        procedure :: read => read_file
+        !> write(path): the same formats and .svg. Errors: IO, UNSUPPORTED.
+        procedure :: write => write_file
+        !> clone(copy): as copy = mesh, with stat and errmsg.
+        procedure :: clone
+        procedure :: destroy
+
+        !> 2 or 3 coordinates a point
+        procedure :: dim => get_dim
+        !> count(entity): number of vertices, edges or faces, kind int64. Errors: ARGUMENT (entity).
+        procedure :: count => get_count
+        !> Kind int64; rises with every change of connectivity.
+        procedure :: revision => get_revision
+        !> Kind int64; equal meshes have equal checksums.
+        procedure :: checksum => get_checksum
+        !> check(): connectivity and, for dim 2, orientation. alphamst_last_error_where has the first fault.
+        procedure :: check
+
+        !> points(dim, n_vertices); get_points(values [, n])
+        procedure :: points, get_points
+        !> set_points(points(dim, n_vertices)): connectivity and revision stay.
+        !> Errors: RANGE (number), ARGUMENT (first extent), NOT_FINITE.
+        procedure :: set_points
+        !> faces(4, n_faces): corners; get_faces(values [, n])
+        procedure :: faces, get_faces
+        !> edges(2, n_edges): vertices, smaller id first; get_edges(values [, n])
+        procedure :: edges, get_edges
+        !> edge_faces(2, n_edges): left and right of each edge, 0 beyond the boundary;
+        !> get_edge_faces(values [, n])
+        procedure :: edge_faces, get_edge_faces
+        !> find_edges(pairs(2, n)): edges(n) between pairs of vertices, 0 where there is none;
+        !> get_found_edges(pairs, values) needs n elements. Errors: RANGE (vertex), ARGUMENT (extents).
+        procedure :: find_edges, get_found_edges
+        !> valences(n_vertices): number of edges at each vertex; get_valences(values [, n])
+        procedure :: valences, get_valences
+        !> singularities(:): interior vertices of valence other than 4, ascending;
+        !> get_singularities(values [, n])
+        procedure :: singularities, get_singularities
+
+        !> set_flags(entity, ids(:), mask, value): the AMST_FLAG_* bits of mask become those of value;
+        !> without ids for all entities. Errors: ARGUMENT (entity), RANGE (id, bits).
+        generic :: set_flags => set_flags_of, set_flags_of_all
+        !> flags(entity): the AMST_FLAG_* bits of each; get_flags(entity, values [, n]).
+        !> Errors: ARGUMENT (entity).
+        procedure :: flags, get_flags
+
+        !> mark(revision): remember points, connectivity and flags under this name.
+        procedure :: mark
+        !> rollback(revision): back to that savepoint, which stays. Errors: NOT_FOUND.
+        procedure :: rollback
+        !> forget(revision): give the savepoint up. Errors: NOT_FOUND.
+        procedure :: forget
+
+        !> quality(metric): an AMST_METRIC_* of each face; get_quality(metric, values [, n]).
+        !> Errors: ARGUMENT (metric).
+        procedure :: quality, get_quality
+        !> summary(metric): type(amst_summary). Errors: ARGUMENT (metric).
+        procedure :: summary => get_summary
+
+        procedure, private :: create_int32, create_int64, set_flags_of, set_flags_of_all, assign
+        generic :: assignment(=) => assign
+        final :: finalize
+    end type amst_mesh
+
+contains
+
+    subroutine create_int32(self, context, points, faces, options, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        type(amst_context), intent(in) :: context
+        real(real64), intent(in), contiguous :: points(:, :)
+        integer(int32), intent(in), contiguous :: faces(:, :)
+        type(amst_options), intent(in), optional :: options
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr) :: handle
+        integer(int32) :: status
+
+        handle = c_null_ptr
+        status = amst_mesh_create(context%c_handle(), size(points, 1, int32), points, size(points, 2, int64), &
+            0_int64, 0_int64, faces, size(faces, 2, int64), 0_int64, 0_int64, size(faces, 1, int32), &
+            handle_of_options(options), handle)
+        call take(self, handle, status, stat, errmsg)
+    end subroutine create_int32
+
+    subroutine create_int64(self, context, points, faces, options, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        type(amst_context), intent(in) :: context
+        real(real64), intent(in), contiguous :: points(:, :)
+        integer(int64), intent(in), contiguous :: faces(:, :)
+        type(amst_options), intent(in), optional :: options
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr) :: handle
+        integer(int32) :: status
+
+        handle = c_null_ptr
+        status = amst_mesh_create_i64(context%c_handle(), size(points, 1, int32), points, size(points, 2, int64), &
+            0_int64, 0_int64, faces, size(faces, 2, int64), 0_int64, 0_int64, size(faces, 1, int32), &
+            handle_of_options(options), handle)
+        call take(self, handle, status, stat, errmsg)
+    end subroutine create_int64
+
+    subroutine create_strided(self, context, dim, points, n_vertices, vertex_stride, component_stride, &
+            faces, n_faces, face_stride, corner_stride, options, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        type(amst_context), intent(in) :: context
+        integer(int32), intent(in) :: dim
+        real(real64), intent(in) :: points(*)
+        integer(int64), intent(in) :: n_vertices, vertex_stride, component_stride
+        integer(int32), intent(in) :: faces(*)
+        integer(int64), intent(in) :: n_faces, face_stride, corner_stride
+        type(amst_options), intent(in), optional :: options
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr) :: handle
+        integer(int32) :: status
+
+        handle = c_null_ptr
+        status = amst_mesh_create(context%c_handle(), dim, points, n_vertices, vertex_stride, component_stride, &
+            faces, n_faces, face_stride, corner_stride, 4_int32, handle_of_options(options), handle)
+        call take(self, handle, status, stat, errmsg)
+    end subroutine create_strided
+
+    subroutine create_strided_int64(self, context, dim, points, n_vertices, vertex_stride, component_stride, &
+            faces, n_faces, face_stride, corner_stride, options, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        type(amst_context), intent(in) :: context
+        integer(int32), intent(in) :: dim
+        real(real64), intent(in) :: points(*)
+        integer(int64), intent(in) :: n_vertices, vertex_stride, component_stride
+        integer(int64), intent(in) :: faces(*)
+        integer(int64), intent(in) :: n_faces, face_stride, corner_stride
+        type(amst_options), intent(in), optional :: options
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr) :: handle
+        integer(int32) :: status
+
+        handle = c_null_ptr
+        status = amst_mesh_create_i64(context%c_handle(), dim, points, n_vertices, vertex_stride, component_stride, &
+            faces, n_faces, face_stride, corner_stride, 4_int32, handle_of_options(options), handle)
+        call take(self, handle, status, stat, errmsg)
+    end subroutine create_strided_int64
+
+    subroutine read_file(self, context, path, options, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        type(amst_context), intent(in) :: context
+        character(len=*), intent(in) :: path
+        type(amst_options), intent(in), optional :: options
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr) :: handle
+        integer(int32) :: status
+
+        handle = c_null_ptr
+        status = amst_mesh_read(context%c_handle(), to_c(path), handle_of_options(options), handle)
+        call take(self, handle, status, stat, errmsg)
+    end subroutine read_file
+
+    subroutine write_file(self, path, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        character(len=*), intent(in) :: path
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_write(self%c_handle(), to_c(path)), stat, errmsg)
+    end subroutine write_file
+
+    subroutine clone(self, copy, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        class(amst_mesh), intent(inout) :: copy
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr) :: handle
+        integer(int32) :: status
+
+        handle = c_null_ptr
+        status = amst_mesh_clone(self%c_handle(), handle)
+        call take(copy, handle, status, stat, errmsg)
+    end subroutine clone
+
+    !> A new mesh into its variable, which keeps the one it had on failure.
+    subroutine take(self, handle, status, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        type(c_ptr), intent(in) :: handle
+        integer(int32), intent(in) :: status
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        if (status >= 0) call self%adopt(handle)
+        call settle(status, stat, errmsg)
+    end subroutine take
+
+    subroutine destroy(self)
+        class(amst_mesh), intent(inout) :: self
+
+        call amst_mesh_destroy(self%release())
+    end subroutine destroy
+
+    impure elemental subroutine finalize(self)
+        type(amst_mesh), intent(inout) :: self
+
+        call self%destroy()
+    end subroutine finalize
+
+    impure elemental subroutine assign(self, other)
+        class(amst_mesh), intent(inout) :: self
+        class(amst_mesh), intent(in) :: other
+        type(c_ptr) :: handle
+
+        handle = c_null_ptr
+        if (c_associated(handle_to_copy(other))) &
+            call settle(amst_mesh_clone(handle_to_copy(other), handle))
+        call self%adopt(handle)
+    end subroutine assign
+
+    function get_dim(self, stat, errmsg) result(dim)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32) :: dim
+
+        dim = 0
+        call settle(amst_mesh_get_dim(self%c_handle(), dim), stat, errmsg)
+    end function get_dim
+
+    function get_count(self, entity, stat, errmsg) result(count)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int64) :: count
+
+        count = 0
+        call settle(amst_mesh_get_count(self%c_handle(), entity, count), stat, errmsg)
+    end function get_count
+
+    function get_revision(self, stat, errmsg) result(revision)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int64) :: revision
+
+        revision = 0
+        call settle(amst_mesh_get_revision(self%c_handle(), revision), stat, errmsg)
+    end function get_revision
+
+    function get_checksum(self, stat, errmsg) result(checksum)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int64) :: checksum
+
+        checksum = 0
+        call settle(amst_mesh_get_checksum(self%c_handle(), checksum), stat, errmsg)
+    end function get_checksum
+
+    subroutine check(self, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_check(self%c_handle()), stat, errmsg)
+    end subroutine check
+
+    function points(self, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        real(real64), allocatable :: values(:, :)
+        integer(int32) :: rows, status
+        integer(int64) :: needed
+
+        rows = 1
+        needed = 0
+        status = amst_mesh_get_dim(self%c_handle(), rows)
+        if (status >= 0) status = amst_mesh_get_points(self%c_handle(), capacity=0_int64, needed=needed)
+        allocate (values(rows, needed/rows))
+        if (status >= 0) status = amst_mesh_get_points(self%c_handle(), values, needed, needed)
+        call settle(status, stat, errmsg)
+    end function points
+
+    subroutine get_points(self, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        real(real64), intent(inout), contiguous :: values(:, :)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32) :: rows, status
+        integer(int64) :: needed
+
+        rows = size(values, 1, int32)
+        needed = 0
+        status = amst_mesh_get_dim(self%c_handle(), rows)
+        if (check_rows(size(values, 1, int32), rows, stat, errmsg)) then
+            if (status >= 0) status = amst_mesh_get_points(self%c_handle(), values, size(values, kind=int64), needed)
+            call deliver(status, needed/max(rows, 1_int32), n, stat, errmsg)
+        end if
+    end subroutine get_points
+
+    subroutine set_points(self, points, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        real(real64), intent(in), contiguous :: points(:, :)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32) :: rows, status
+
+        rows = size(points, 1, int32)
+        status = amst_mesh_get_dim(self%c_handle(), rows)
+        if (check_rows(size(points, 1, int32), rows, stat, errmsg)) then
+            if (status >= 0) status = amst_mesh_set_points(self%c_handle(), points, size(points, 2, int64))
+            call settle(status, stat, errmsg)
+        end if
+    end subroutine set_points
+
+    function faces(self, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:, :)
+
+        call fetch_rows(amst_mesh_get_faces, self%c_handle(), 4_int32, values, stat, errmsg)
+    end function faces
+
+    subroutine get_faces(self, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(inout), contiguous :: values(:, :)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call fill_rows(amst_mesh_get_faces, self%c_handle(), 4_int32, values, n, stat, errmsg)
+    end subroutine get_faces
+
+    function edges(self, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:, :)
+
+        call fetch_rows(amst_mesh_get_edges, self%c_handle(), 2_int32, values, stat, errmsg)
+    end function edges
+
+    subroutine get_edges(self, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(inout), contiguous :: values(:, :)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call fill_rows(amst_mesh_get_edges, self%c_handle(), 2_int32, values, n, stat, errmsg)
+    end subroutine get_edges
+
+    function edge_faces(self, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:, :)
+
+        call fetch_rows(amst_mesh_get_edge_faces, self%c_handle(), 2_int32, values, stat, errmsg)
+    end function edge_faces
+
+    subroutine get_edge_faces(self, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(inout), contiguous :: values(:, :)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call fill_rows(amst_mesh_get_edge_faces, self%c_handle(), 2_int32, values, n, stat, errmsg)
+    end subroutine get_edge_faces
+
+    function find_edges(self, pairs, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in), contiguous :: pairs(:, :)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:)
+
+        allocate (values(size(pairs, 2)), source=0_int32)
+        call self%get_found_edges(pairs, values, stat, errmsg)
+    end function find_edges
+
+    subroutine get_found_edges(self, pairs, values, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in), contiguous :: pairs(:, :)
+        integer(int32), intent(inout), contiguous :: values(:)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        if (.not. check_rows(size(pairs, 1, int32), 2_int32, stat, errmsg)) return
+        if (.not. check_rows(size(values, kind=int32), size(pairs, 2, int32), stat, errmsg)) return
+        call settle(amst_mesh_find_edges(self%c_handle(), pairs, size(pairs, 2, int64), values), stat, errmsg)
+    end subroutine get_found_edges
+
+    function valences(self, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:)
+
+        call fetch_row(amst_mesh_get_valences, self%c_handle(), values, stat, errmsg)
+    end function valences
+
+    subroutine get_valences(self, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(inout), contiguous :: values(:)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call fill_row(amst_mesh_get_valences, self%c_handle(), values, n, stat, errmsg)
+    end subroutine get_valences
+
+    function singularities(self, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:)
+
+        call fetch_row(amst_mesh_get_singularities, self%c_handle(), values, stat, errmsg)
+    end function singularities
+
+    subroutine get_singularities(self, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(inout), contiguous :: values(:)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call fill_row(amst_mesh_get_singularities, self%c_handle(), values, n, stat, errmsg)
+    end subroutine get_singularities
+
+    subroutine set_flags_of_all(self, entity, mask, value, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(in) :: entity, mask, value
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_set_flags(self%c_handle(), entity, n=0_int64, mask=mask, value=value), stat, errmsg)
+    end subroutine set_flags_of_all
+
+    ! No ids are passed on as such: the address of an empty array may be NULL, which would mean all.
+    subroutine set_flags_of(self, entity, ids, mask, value, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(in) :: entity, mask, value
+        integer(int32), intent(in), contiguous :: ids(:)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), parameter :: no_ids(1) = 0
+        integer(int32) :: status
+
+        if (size(ids) == 0) then
+            status = amst_mesh_set_flags(self%c_handle(), entity, no_ids, 0_int64, mask, value)
+        else
+            status = amst_mesh_set_flags(self%c_handle(), entity, ids, size(ids, kind=int64), mask, value)
+        end if
+        call settle(status, stat, errmsg)
+    end subroutine set_flags_of
+
+    function flags(self, entity, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:)
+
+        call fetch_row_of(amst_mesh_get_flags, self%c_handle(), entity, values, stat, errmsg)
+    end function flags
+
+    subroutine get_flags(self, entity, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        integer(int32), intent(inout), contiguous :: values(:)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call fill_row_of(amst_mesh_get_flags, self%c_handle(), entity, values, n, stat, errmsg)
+    end subroutine get_flags
+
+    function quality(self, metric, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: metric
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        real(real64), allocatable :: values(:)
+
+        call fetch_reals_of(amst_mesh_get_quality, self%c_handle(), metric, values, stat, errmsg)
+    end function quality
+
+    subroutine get_quality(self, metric, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: metric
+        real(real64), intent(inout), contiguous :: values(:)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call fill_reals_of(amst_mesh_get_quality, self%c_handle(), metric, values, n, stat, errmsg)
+    end subroutine get_quality
+
+    function get_summary(self, metric, stat, errmsg) result(summary)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: metric
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(amst_summary) :: summary
+
+        summary = amst_summary(0, 0, 0, 0, 0, 0)
+        call settle(amst_mesh_get_summary(self%c_handle(), metric, summary), stat, errmsg)
+    end function get_summary
+
+    subroutine mark(self, revision, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int64), intent(inout) :: revision
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_mark(self%c_handle(), revision), stat, errmsg)
+    end subroutine mark
+
+    subroutine rollback(self, revision, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int64), intent(in) :: revision
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_rollback(self%c_handle(), revision), stat, errmsg)
+    end subroutine rollback
+
+    subroutine forget(self, revision, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int64), intent(in) :: revision
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_forget(self%c_handle(), revision), stat, errmsg)
+    end subroutine forget
+
+end module alphamst_mesh

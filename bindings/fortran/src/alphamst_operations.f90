@@ -1,0 +1,113 @@
+!> Operations. Each changes the mesh or, on failure and on cancel, not at all. Patches with defects
+!> are left and make stat AMST_PARTIAL. The patch set moves along. The report, if asked for, is new.
+!> Errors: ARGUMENT (patches of another mesh), STALE, STATE, CANCELLED.
+module alphamst_operations
+    use, intrinsic :: iso_c_binding, only: c_null_ptr, c_ptr
+    use, intrinsic :: iso_fortran_env, only: int32, real64
+    use amst_c, only: AMST_ERR_NULL, amst_adapt, amst_clean, amst_reduce_singularities, amst_smooth
+    use alphamst_library, only: settle
+    use alphamst_mesh, only: amst_mesh
+    use alphamst_options, only: amst_options, handle_of_options
+    use alphamst_patches, only: amst_patches
+    use alphamst_report, only: amst_report
+    implicit none
+    private
+
+    public :: alphamst_adapt, alphamst_reduce_singularities, alphamst_smooth, alphamst_clean
+
+contains
+
+    !> Replace each patch by its alpha template. alpha > 0 is for the patches that have none of their
+    !> own: the wanted number of faces over the present one. Errors: ARGUMENT (alpha), NOT_FINITE.
+    subroutine alphamst_adapt(mesh, patches, alpha, options, report, stat, errmsg)
+        type(amst_mesh), intent(inout) :: mesh
+        type(amst_patches), intent(inout) :: patches
+        real(real64), intent(in) :: alpha
+        type(amst_options), intent(in), optional :: options
+        type(amst_report), intent(inout), optional :: report
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr), allocatable :: told
+        integer(int32) :: status
+
+        call ask(told, report)
+        status = amst_adapt(mesh%c_handle(), patches%c_handle(), alpha, handle_of_options(options), told)
+        call finish(status, told, report, stat, errmsg)
+    end subroutine alphamst_adapt
+
+    !> Replace each patch by its minimum singularity template, boundary kept.
+    subroutine alphamst_reduce_singularities(mesh, patches, options, report, stat, errmsg)
+        type(amst_mesh), intent(inout) :: mesh
+        type(amst_patches), intent(inout) :: patches
+        type(amst_options), intent(in), optional :: options
+        type(amst_report), intent(inout), optional :: report
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr), allocatable :: told
+        integer(int32) :: status
+
+        call ask(told, report)
+        status = amst_reduce_singularities(mesh%c_handle(), patches%c_handle(), handle_of_options(options), told)
+        call finish(status, told, report, stat, errmsg)
+    end subroutine alphamst_reduce_singularities
+
+    !> Move interior vertices of the patches, or of the mesh without them; flagged ones stay.
+    subroutine alphamst_smooth(mesh, patches, options, report, stat, errmsg)
+        type(amst_mesh), intent(inout) :: mesh
+        type(amst_patches), intent(in), optional :: patches
+        type(amst_options), intent(in), optional :: options
+        type(amst_report), intent(inout), optional :: report
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr), allocatable :: told
+        type(c_ptr) :: set
+        integer(int32) :: status
+
+        set = c_null_ptr
+        if (present(patches)) then
+            if (.not. patches%exists()) then ! NULL would mean the whole mesh
+                call settle(AMST_ERR_NULL, stat, errmsg, 'patches is NULL')
+                return
+            end if
+            set = patches%c_handle()
+        end if
+        call ask(told, report)
+        status = amst_smooth(mesh%c_handle(), set, handle_of_options(options), told)
+        call finish(status, told, report, stat, errmsg)
+    end subroutine alphamst_smooth
+
+    !> Remove doublets and split valences above 5.
+    subroutine alphamst_clean(mesh, options, report, stat, errmsg)
+        type(amst_mesh), intent(inout) :: mesh
+        type(amst_options), intent(in), optional :: options
+        type(amst_report), intent(inout), optional :: report
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr), allocatable :: told
+        integer(int32) :: status
+
+        call ask(told, report)
+        status = amst_clean(mesh%c_handle(), handle_of_options(options), told)
+        call finish(status, told, report, stat, errmsg)
+    end subroutine alphamst_clean
+
+    !> told not allocated is an absent argument of the C interface: no report is made.
+    subroutine ask(told, report)
+        type(c_ptr), allocatable, intent(out) :: told
+        type(amst_report), intent(in), optional :: report
+
+        if (present(report)) told = c_null_ptr
+    end subroutine ask
+
+    subroutine finish(status, told, report, stat, errmsg)
+        integer(int32), intent(in) :: status
+        type(c_ptr), allocatable, intent(in) :: told
+        type(amst_report), intent(inout), optional :: report
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        if (present(report) .and. status >= 0) call report%adopt(told)
+        call settle(status, stat, errmsg)
+    end subroutine finish
+
+end module alphamst_operations

@@ -1,0 +1,84 @@
+program options_test
+    use, intrinsic :: iso_fortran_env, only: int32, int64, real64
+    use alphamst
+    use checks
+    implicit none
+
+    call defaults_and_changes()
+    call errors()
+    call assignment_copies_every_key()
+    call finish()
+
+contains
+
+    subroutine defaults_and_changes()
+        type(amst_options) :: options
+
+        call options%create()
+        call claim(options%get_int(AMST_OPT_SEED) == 0, 'seed')
+        call claim(options%get_int(AMST_OPT_SMOOTH_STEPS) == 20, 'smooth steps')
+        call claim(options%get_int(AMST_OPT_REPAIR_PATCHES) == 1, 'repair')
+        call claim(options%get_int(AMST_OPT_CANDIDATES) == 16, 'candidates')
+        call claim(options%get_int(AMST_OPT_NODE_LIMIT) == 1000, 'node limit')
+        call claim(abs(options%get_real(AMST_OPT_MIN_QUALITY)) <= 0, 'quality')
+        call claim(abs(options%get_real(AMST_OPT_MIN_CONVEXITY) - 0.6_real64) <= 0, 'convexity')
+        call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 100) <= 0, 'patch faces')
+        call options%set(AMST_OPT_SEED, -2_int64**62)
+        call claim(options%get_int(AMST_OPT_SEED) == -2_int64**62, 'a seed of 64 bits')
+        call options%set(AMST_OPT_SMOOTH_STEPS, 7)
+        call claim(options%get_int(AMST_OPT_SMOOTH_STEPS) == 7, 'a value of 32 bits')
+        call options%set(AMST_OPT_PATCH_FACES, 12.5_real64)
+        call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 12.5_real64) <= 0, 'a real value')
+    end subroutine defaults_and_changes
+
+    subroutine errors()
+        type(amst_options) :: options
+        integer(int32) :: stat
+        integer(int64) :: value
+        real(real64) :: real_value
+        character(len=200) :: errmsg
+
+        call options%set(AMST_OPT_SEED, 1, stat, errmsg)
+        call refused(stat, AMST_ERR_NULL, errmsg, 'options never created')
+        call options%create(stat, errmsg)
+        call claim(stat == AMST_OK, 'create')
+        call options%set(AMST_OPT_SMOOTH_STEPS, 1001, stat, errmsg)
+        call refused(stat, AMST_ERR_RANGE, errmsg, 'steps 1001')
+        call options%set(AMST_OPT_NODE_LIMIT, 2_int64**40, stat, errmsg)
+        call refused(stat, AMST_ERR_RANGE, errmsg, 'limit 2^40')
+        call options%set(AMST_OPT_SEED, 0.5_real64, stat, errmsg)
+        call refused(stat, AMST_ERR_NOT_FOUND, errmsg, 'a real seed')
+        value = options%get_int(AMST_OPT_PATCH_FACES, stat, errmsg)
+        call refused(stat, AMST_ERR_NOT_FOUND, errmsg, 'patch faces as an integer')
+        real_value = options%get_real(AMST_OPT_SEED, stat, errmsg)
+        call refused(stat, AMST_ERR_NOT_FOUND, errmsg, 'the seed as a real number')
+        call claim(value == 0 .and. abs(real_value) <= 0, 'a failed function is 0')
+    end subroutine errors
+
+    subroutine assignment_copies_every_key()
+        type(amst_options) :: a, b, none
+        integer :: k
+
+        call a%create()
+        call b%create()
+        do k = 0, 4
+            call a%set(k, merge(0, 5 + k, k == AMST_OPT_REPAIR_PATCHES))
+        end do
+        do k = 1000, 1002
+            call a%set(k, merge(9.0_real64, 0.125_real64*(k - 999), k == AMST_OPT_PATCH_FACES))
+        end do
+        b = a
+        call a%destroy()
+        do k = 0, 4
+            call claim(b%get_int(k) == merge(0, 5 + k, k == AMST_OPT_REPAIR_PATCHES), 'copied integer')
+        end do
+        do k = 1000, 1002
+            call claim(abs(b%get_real(k) - merge(9.0_real64, 0.125_real64*(k - 999), k == 1002)) <= 0, 'copied real')
+        end do
+        b = b
+        call claim(b%get_int(AMST_OPT_SEED) == 5, 'assigned to itself')
+        b = none
+        call claim(.not. b%exists(), 'assigned nothing')
+    end subroutine assignment_copies_every_key
+
+end program options_test

@@ -1,0 +1,61 @@
+# Numeric settings.
+
+const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
+                     repair_patches = AMST_OPT_REPAIR_PATCHES, candidates = AMST_OPT_CANDIDATES,
+                     node_limit = AMST_OPT_NODE_LIMIT, min_quality = AMST_OPT_MIN_QUALITY,
+                     min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES)
+
+# The header's rule for the keys of options and of reports.
+is_real(key::Int32) = key >= 1000
+
+"""
+    Options(; settings...)
+
+Settings of operations, each with a default. Wherever a function takes `settings...`, these
+keywords may be given instead, or `options = ` an `Options`, to use it again.
+
+| setting | default | |
+| --- | --- | --- |
+| `seed` | 0 | of every random choice |
+| `smooth_steps` | 20 | sweeps of shape optimisation, 0 to 1000 |
+| `repair_patches` | 1 | 0 or 1: fill holes and cut pinches of new patches |
+| `candidates` | 16 | fillings to try in a patch before it is left, 1 to 1000 |
+| `node_limit` | 1000 | effort of one exact search, in quads laid, 0 to 10^9 |
+| `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
+| `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
+| `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |
+
+`options[:seed]` reads and `options[:seed] = 7` sets one. Throws `AlphaMSTError` for a value out
+of range or not finite, and for a number in place of a name that the library does not know.
+"""
+mutable struct Options <: Handle{amst_options}
+    pointer::Ptr{amst_options}
+
+    function Options(; settings...)
+        options = finalizer(close, new(created(amst_options_create, amst_options)))
+        for (key, value) in settings
+            options[key] = value
+        end
+        return options
+    end
+end
+
+function Base.getindex(options::Options, name::Union{Symbol,Integer})
+    key = number_of(option_keys, name)
+    is_real(key) && return scalar(out -> amst_options_get_real(options, key, out), Float64)
+    return scalar(out -> amst_options_get_int(options, key, out), Int64)
+end
+
+function Base.setindex!(options::Options, value::Real, name::Union{Symbol,Integer})
+    key = number_of(option_keys, name)
+    demand(is_real(key) ? amst_options_set_real(options, key, value) :
+           amst_options_set_int(options, key, value))
+    return options
+end
+
+# What a function with the keywords `options = nothing, settings...` hands to the library.
+function chosen(options::Union{Options,Nothing}, settings)
+    isempty(settings) && return options
+    options === nothing || throw(ArgumentError("give options or single settings, not both"))
+    return Options(; settings...)
+end

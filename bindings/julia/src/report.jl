@@ -1,0 +1,90 @@
+# What an operation did.
+
+const result_keys = (status = AMST_RESULT_STATUS, faces_before = AMST_RESULT_FACES_BEFORE,
+                     faces_after = AMST_RESULT_FACES_AFTER, faces_wanted = AMST_RESULT_FACES_WANTED,
+                     singular_before = AMST_RESULT_SINGULAR_BEFORE,
+                     singular_after = AMST_RESULT_SINGULAR_AFTER,
+                     singular_bound = AMST_RESULT_SINGULAR_BOUND, candidate = AMST_RESULT_CANDIDATE,
+                     alpha = AMST_RESULT_ALPHA, quality_before = AMST_RESULT_QUALITY_BEFORE,
+                     quality_after = AMST_RESULT_QUALITY_AFTER, seconds = AMST_RESULT_SECONDS)
+
+"""
+    report[key]
+    report[patch, key]
+
+What an operation did, in all or to one patch; a `Report` outlives mesh and patches.
+
+| key | |
+| --- | --- |
+| `:status` | below 0 the patch was left as it was; `status_name` has the name |
+| `:faces_before`, `:faces_after`, `:faces_wanted` | the last is alpha * before, rounded |
+| `:singular_before`, `:singular_after` | interior vertices of valence other than 4, of a patch with its boundary |
+| `:singular_bound` | least number that any filling of the boundary has |
+| `:candidate` | 0: filling as predicted; n: geometry forced the n-th later one |
+| `:alpha` | after / before |
+| `:quality_before`, `:quality_after` | smallest scaled Jacobian |
+| `:seconds` | time spent |
+
+The first five rows are `Int64`, the others `Float64`. Over all patches counts are sums, singularities
+those of the whole mesh and qualities the smallest; an operation without patches has only that.
+Throws `AlphaMSTError`: RANGE (patch), NOT_FOUND (number of a key that the library does not know).
+"""
+mutable struct Report <: Handle{amst_report}
+    pointer::Ptr{amst_report}
+
+    Report(pointer::Ptr{amst_report}) = finalizer(close, new(pointer))
+end
+
+Base.getindex(report::Report, key::Union{Symbol,Integer}) = report[AMST_ALL, key]
+
+function Base.getindex(report::Report, patch::Integer, name::Union{Symbol,Integer})
+    key = number_of(result_keys, name)
+    is_real(key) && return scalar(out -> amst_report_get_real(report, patch, key, out), Float64)
+    return scalar(out -> amst_report_get_int(report, patch, key, out), Int64)
+end
+
+"""
+    is_partial(report)
+
+Whether some patch was left as it was or has not the wanted number of faces.
+"""
+is_partial(report::Report) = report[:status] == AMST_PARTIAL
+
+"""
+    valence_count(report, valence; after = true)
+    valence_count(report, patch, valence; after = true)
+
+Number of interior vertices of one valence after or before the operation, in the whole mesh or in
+one patch.
+"""
+valence_count(report::Report, valence::Integer; after::Bool = true) =
+    valence_count(report, AMST_ALL, valence; after = after)
+
+valence_count(report::Report, patch::Integer, valence::Integer; after::Bool = true) =
+    Int(scalar(out -> amst_report_get_valence(report, patch, after, valence, out), Int64))
+
+"""
+    origin(report, entity)
+
+For each `:vertex`, `:edge` or `:face` of the mesh after the operation the one it was before, 0 if
+it is new, as a `Vector{Int32}`.
+"""
+origin(report::Report, entity) =
+    vector_of(Int32) do out, capacity, needed
+        amst_report_get_origin(report, number_of(entities, entity), out, capacity, needed)
+    end
+
+"""
+    origin!(array, report, entity)
+
+The same as [`origin`](@ref), written into an array of the caller, which may be a view.
+"""
+function origin!(array::AbstractVector, report::Report, entity)
+    code = number_of(entities, entity)
+    n = scalar(Int64) do needed
+        amst_report_get_origin(report, code, C_NULL, 0, needed)
+    end
+    return fill_with!(Int32, array, (Int(n),)) do out, capacity, needed
+        amst_report_get_origin(report, code, out, capacity, needed)
+    end
+end

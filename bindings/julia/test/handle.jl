@@ -1,0 +1,106 @@
+# Ends of objects, in every order and by every way; what is left still works.
+
+function orders(items)
+    length(items) <= 1 && return [items]
+    return [[item; rest] for item in items for rest in orders(filter(!=(item), items))]
+end
+
+function new_world()
+    context = Context()
+    mesh, patches = grid_with_square(; context = context)
+    report = smooth!(mesh, patches)
+    return Any[context, mesh, patches, report]
+end
+
+use(context::Context) = @test set_threads!(context, 1) === context
+use(mesh::Mesh) = @test smooth!(mesh)[:faces_after] == 100
+use(patches::Patches) = @test length(boundary(patches, 1)) == 24
+use(report::Report) = @test report[1, :faces_after] == 36
+
+@testset "$finish in any order" for finish in (close, finalize)
+    @test length(orders(1:4)) == 24
+    for order in orders(1:4)
+        world = new_world()
+        for (k, which) in enumerate(order)
+            finish(world[which])
+            @test !isopen(world[which])
+            foreach(rest -> use(world[rest]), order[k+1:end])
+            finish(world[which]) # again does nothing
+        end
+        close(world[order[1]])
+    end
+end
+
+@testset "collected in any order" begin
+    for order in orders(1:4)
+        world = new_world()
+        for (k, which) in enumerate(order)
+            world[which] = nothing
+            GC.gc()
+            foreach(rest -> use(world[rest]), order[k+1:end])
+        end
+    end
+end
+
+@testset "collected while others work" begin
+    for round in 1:20
+        world = new_world()
+        foreach(_ -> Options(seed = 1), 1:50)
+        set_progress!((fraction, stage) -> (GC.gc(false); nothing), world[1])
+        adapt!(world[2], world[3], 1.5)
+    end
+    GC.gc()
+    @test true # reached
+end
+
+# With one thread of Julia (JULIA_NUM_THREADS) this is a loop.
+@testset "threads read one mesh, and end what they made" begin
+    mesh, _ = grid_with_square()
+    digest = checksum(mesh)
+    same = zeros(Bool, 64)
+    Threads.@threads for i in 1:64
+        own = copy(mesh)
+        patches = Patches(mesh)
+        add_rings!(patches, 61, 2)
+        failure = thrown(() -> faces(patches, i + 1)) # errors stay on their thread
+        same[i] = checksum(own) == digest && points(own) == points(mesh) && length(faces(patches, 1)) == 16 &&
+                  failure.patch == i + 1
+        iseven(i) && close(own)
+    end
+    @test all(same)
+    GC.gc()
+    @test checksum(mesh) == digest
+end
+
+@testset "use after close" begin
+    mesh, patches = grid_with_square()
+    context, options, report = Context(), Options(), smooth!(mesh, patches)
+    foreach(close, (context, options, report, patches))
+    closed(f) = (failure = thrown(f); failure isa InvalidStateException && failure.state === :closed)
+    @test closed(() -> set_threads!(context, 1))
+    @test closed(() -> set_progress!((fraction, stage) -> nothing, context))
+    @test closed(() -> progress(context))
+    @test closed(() -> Mesh(grid_points(1, 1), grid_faces(1, 1); context = context))
+    @test closed(() -> options[:seed])
+    @test closed(() -> options[:seed] = 1)
+    @test closed(() -> clean!(mesh; options = options)) # not: all defaults
+    @test closed(() -> smooth!(mesh, patches))          # not: the whole mesh
+    @test closed(() -> add_rings!(patches, 1, 1))
+    @test closed(() -> report[:status])
+    @test closed(() -> origin(report, :face))
+    close(mesh)
+    for ask in (points, faces, nfaces, singularities, copy, check, mark!, clean!, Patches)
+        @test closed(() -> ask(mesh))
+    end
+    @test sprint(show, mesh) == "Mesh (closed)"
+    @test sprint(show, Context()) == "Context"
+end
+
+@testset "no second owner" begin
+    mesh = grid(2)
+    @test_throws ArgumentError deepcopy(mesh)
+    @test_throws ArgumentError deepcopy([Options()])
+    same = mesh
+    close(same)
+    @test !isopen(mesh)
+end

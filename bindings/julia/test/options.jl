@@ -1,0 +1,38 @@
+@testset "defaults" begin
+    options = Options()
+    @test options[:seed] === Int64(0)
+    @test options[:smooth_steps] == 20
+    @test options[:repair_patches] == 1
+    @test options[:candidates] == 16
+    @test options[:node_limit] == 1000
+    @test options[:min_quality] === 0.0
+    @test options[:min_convexity] === 0.6
+    @test options[:patch_faces] === 100.0
+end
+
+@testset "settings come back" begin
+    options = Options(seed = 2^40 + 7, smooth_steps = 3, repair_patches = false, candidates = 5,
+                      node_limit = 10^9, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12)
+    @test options[:seed] == 2^40 + 7
+    @test options[:smooth_steps] == 3
+    @test options[:repair_patches] == 0
+    @test options[:candidates] == 5
+    @test options[:node_limit] == 10^9
+    @test options[:min_quality] == 0.25
+    @test options[:min_convexity] == 0.5
+    @test options[:patch_faces] === 12.0
+    options[:seed] = 9
+    options[1002] = 31.5
+    @test options[0] == 9 && options[:patch_faces] == 31.5
+end
+
+@testset "refused" begin
+    options = Options()
+    @test_throws ArgumentError Options(sead = 7)
+    @test_throws InexactError (options[:seed] = 1.5)
+    @test refusal(() -> options[:candidates] = 0) == "AMST_ERR_RANGE"
+    @test refusal(() -> options[:min_quality] = NaN) == "AMST_ERR_NOT_FINITE"
+    @test refusal(() -> options[99] = 1) == "AMST_ERR_NOT_FOUND"
+    @test refusal(() -> options[1099]) == "AMST_ERR_NOT_FOUND"
+    @test_throws ArgumentError clean!(grid(2); options = options, seed = 7)
+end

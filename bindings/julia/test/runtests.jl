@@ -1,0 +1,12 @@
+using AlphaMST
+using AlphaMST: DEFECTS, FLAGS, LibAlphaMST
+using Test
+
+include("grid.jl")
+
+@testset "AlphaMST" begin
+    @testset "$noun" for noun in ["library", "error", "options", "mesh", "array", "flags", "savepoint", "quality",
+                                  "patches", "operations", "report", "context", "handle"]
+        include("$noun.jl")
+    end
+end

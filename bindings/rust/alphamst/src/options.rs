@@ -1,0 +1,242 @@
+use std::fmt;
+use std::ptr::{self, NonNull};
+
+use alphamst_sys as sys;
+
+use crate::enumeration::enumeration;
+use crate::error::{check, create, must, value};
+use crate::Result;
+
+enumeration! {
+    /// A setting of [`Options`], with its default.
+    OptionKey {
+        /// Integer, 0: seed of every random choice.
+        Seed = AMST_OPT_SEED,
+        /// Integer, 20: sweeps of shape optimisation, 0 to 1000.
+        SmoothSteps = AMST_OPT_SMOOTH_STEPS,
+        /// Integer 0 or 1, 1: fill holes and cut pinches of new patches.
+        RepairPatches = AMST_OPT_REPAIR_PATCHES,
+        /// Integer, 16: fillings to try in a patch before it is left, 1 to 1000.
+        Candidates = AMST_OPT_CANDIDATES,
+        /// Integer, 1000: effort of one exact search, in quads laid, 0 to 10^9.
+        NodeLimit = AMST_OPT_NODE_LIMIT,
+        /// Real, 0.0: no filling with a scaled Jacobian at or below, 0 to 1.
+        MinQuality = AMST_OPT_MIN_QUALITY,
+        /// Real, 0.6: a patch below is [`Defects::NOT_CONVEX`](crate::Defects::NOT_CONVEX), 0 to 1.
+        MinConvexity = AMST_OPT_MIN_CONVEXITY,
+        /// Real, 100: faces of a patch that automatic decomposition aims at, at least 1.
+        PatchFaces = AMST_OPT_PATCH_FACES,
+    }
+}
+
+/// Numeric settings, all with defaults. `None` in place of them stands for all defaults.
+///
+/// Errors of the setters: `Range` (the value, see [`OptionKey`]), `NotFinite`.
+///
+/// ```
+/// # use alphamst::{OptionKey, Options};
+/// let options = Options::new().seed(7).smooth_steps(40)?.patch_faces(80.0)?;
+/// assert_eq!(options.get_int(OptionKey::SmoothSteps)?, 40);
+/// # Ok::<(), alphamst::Error>(())
+/// ```
+pub struct Options(NonNull<sys::amst_options>);
+
+// SAFETY: options belong to no context, and borrowing keeps questions and changes apart.
+unsafe impl Send for Options {}
+unsafe impl Sync for Options {}
+
+impl Drop for Options {
+    fn drop(&mut self) {
+        // SAFETY: the handle is destroyed here only.
+        unsafe { sys::amst_options_destroy(self.0.as_ptr()) }
+    }
+}
+
+/// NULL for none.
+pub(crate) fn raw(options: Option<&Options>) -> *const sys::amst_options {
+    options.map_or(ptr::null(), |options| options.0.as_ptr())
+}
+
+impl Options {
+    /// All defaults.
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().get_real(OptionKey::MinConvexity)?, 0.6);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    #[must_use]
+    pub fn new() -> Self {
+        // SAFETY: the output is written through a valid pointer.
+        Self(must(create(|out| unsafe { sys::amst_options_create(out) })))
+    }
+
+    /// Sets [`OptionKey::Seed`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().seed(-3).get_int(OptionKey::Seed)?, -3);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    #[must_use]
+    pub fn seed(self, seed: i64) -> Self {
+        must(self.with_int(OptionKey::Seed, seed))
+    }
+
+    /// Sets [`OptionKey::SmoothSteps`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options, Status};
+    /// assert_eq!(Options::new().smooth_steps(5)?.get_int(OptionKey::SmoothSteps)?, 5);
+    /// assert_eq!(Options::new().smooth_steps(1001).unwrap_err().status, Status::Range);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn smooth_steps(self, steps: i64) -> Result<Self> {
+        self.with_int(OptionKey::SmoothSteps, steps)
+    }
+
+    /// Sets [`OptionKey::RepairPatches`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().repair_patches(false).get_int(OptionKey::RepairPatches)?, 0);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    #[must_use]
+    pub fn repair_patches(self, repair: bool) -> Self {
+        must(self.with_int(OptionKey::RepairPatches, repair.into()))
+    }
+
+    /// Sets [`OptionKey::Candidates`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().candidates(3)?.get_int(OptionKey::Candidates)?, 3);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn candidates(self, n: i64) -> Result<Self> {
+        self.with_int(OptionKey::Candidates, n)
+    }
+
+    /// Sets [`OptionKey::NodeLimit`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().node_limit(50)?.get_int(OptionKey::NodeLimit)?, 50);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn node_limit(self, quads: i64) -> Result<Self> {
+        self.with_int(OptionKey::NodeLimit, quads)
+    }
+
+    /// Sets [`OptionKey::MinQuality`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().min_quality(0.2)?.get_real(OptionKey::MinQuality)?, 0.2);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn min_quality(self, scaled_jacobian: f64) -> Result<Self> {
+        self.with_real(OptionKey::MinQuality, scaled_jacobian)
+    }
+
+    /// Sets [`OptionKey::MinConvexity`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().min_convexity(0.9)?.get_real(OptionKey::MinConvexity)?, 0.9);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn min_convexity(self, convexity: f64) -> Result<Self> {
+        self.with_real(OptionKey::MinConvexity, convexity)
+    }
+
+    /// Sets [`OptionKey::PatchFaces`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().patch_faces(12.5)?.get_real(OptionKey::PatchFaces)?, 12.5);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn patch_faces(self, faces: f64) -> Result<Self> {
+        self.with_real(OptionKey::PatchFaces, faces)
+    }
+
+    /// Sets an integer, by key or by the number of one that this crate does not know.
+    ///
+    /// Errors: also `NotFound` (a real's key, or one unknown to the library).
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options, Status};
+    /// let mut options = Options::new();
+    /// options.set_int(OptionKey::Seed, 7)?;
+    /// assert_eq!(options.set_int(999, 7).unwrap_err().status, Status::NotFound);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn set_int(&mut self, key: impl Into<i32>, value: i64) -> Result<()> {
+        // SAFETY: the handle is valid and borrowed alone.
+        check(unsafe { sys::amst_options_set_int(self.0.as_ptr(), key.into(), value) })
+    }
+
+    /// Sets a real, likewise.
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options, Status};
+    /// let error = Options::new().set_real(OptionKey::MinQuality, f64::NAN).unwrap_err();
+    /// assert_eq!(error.status, Status::NotFinite);
+    /// ```
+    pub fn set_real(&mut self, key: impl Into<i32>, value: f64) -> Result<()> {
+        // SAFETY: as above.
+        check(unsafe { sys::amst_options_set_real(self.0.as_ptr(), key.into(), value) })
+    }
+
+    /// An integer. Errors: `NotFound`.
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().get_int(OptionKey::Candidates)?, 16);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn get_int(&self, key: impl Into<i32>) -> Result<i64> {
+        // SAFETY: the handle is valid, the output is written through a valid pointer.
+        value(|out| unsafe { sys::amst_options_get_int(self.0.as_ptr(), key.into(), out) })
+    }
+
+    /// A real. Errors: `NotFound`.
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().get_real(OptionKey::PatchFaces)?, 100.0);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn get_real(&self, key: impl Into<i32>) -> Result<f64> {
+        // SAFETY: as above.
+        value(|out| unsafe { sys::amst_options_get_real(self.0.as_ptr(), key.into(), out) })
+    }
+
+    fn with_int(mut self, key: OptionKey, value: i64) -> Result<Self> {
+        self.set_int(key, value)?;
+        Ok(self)
+    }
+
+    fn with_real(mut self, key: OptionKey, value: f64) -> Result<Self> {
+        self.set_real(key, value)?;
+        Ok(self)
+    }
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl fmt::Debug for Options {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = f.debug_struct("Options");
+        for key in [OptionKey::Seed, OptionKey::SmoothSteps, OptionKey::Candidates] {
+            shown.field(&format!("{key:?}"), &self.get_int(key));
+        }
+        shown.finish_non_exhaustive()
+    }
+}

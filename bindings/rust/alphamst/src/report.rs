@@ -1,0 +1,318 @@
+use std::fmt;
+use std::ptr::NonNull;
+
+use alphamst_sys as sys;
+
+use crate::enumeration::enumeration;
+use crate::error::{must, value};
+use crate::{array, EdgeId, Entity, FaceId, PatchId, Result, Status, VertexId};
+
+enumeration! {
+    /// A result of an operation, see the methods of [`Outcome`].
+    ResultKey {
+        /// Integer: [`Outcome::status`].
+        Status = AMST_RESULT_STATUS,
+        /// Integer: [`Outcome::faces_before`].
+        FacesBefore = AMST_RESULT_FACES_BEFORE,
+        /// Integer: [`Outcome::faces_after`].
+        FacesAfter = AMST_RESULT_FACES_AFTER,
+        /// Integer: [`Outcome::faces_wanted`].
+        FacesWanted = AMST_RESULT_FACES_WANTED,
+        /// Integer: [`Outcome::singular_before`].
+        SingularBefore = AMST_RESULT_SINGULAR_BEFORE,
+        /// Integer: [`Outcome::singular_after`].
+        SingularAfter = AMST_RESULT_SINGULAR_AFTER,
+        /// Integer: [`Outcome::singular_bound`].
+        SingularBound = AMST_RESULT_SINGULAR_BOUND,
+        /// Integer: [`Outcome::candidate`].
+        Candidate = AMST_RESULT_CANDIDATE,
+        /// Real: [`Outcome::alpha`].
+        Alpha = AMST_RESULT_ALPHA,
+        /// Real: [`Outcome::quality_before`].
+        QualityBefore = AMST_RESULT_QUALITY_BEFORE,
+        /// Real: [`Outcome::quality_after`].
+        QualityAfter = AMST_RESULT_QUALITY_AFTER,
+        /// Real: [`Outcome::seconds`].
+        Seconds = AMST_RESULT_SECONDS,
+    }
+}
+
+/// What one operation did, per patch and in all. It never changes, outlives mesh and patches, and waits
+/// for nobody.
+pub struct Report {
+    raw: NonNull<sys::amst_report>,
+    n_patches: usize,
+}
+
+// SAFETY: a report is immutable and shares nothing.
+unsafe impl Send for Report {}
+unsafe impl Sync for Report {}
+
+impl Drop for Report {
+    fn drop(&mut self) {
+        // SAFETY: the handle is destroyed here only.
+        unsafe { sys::amst_report_destroy(self.raw.as_ptr()) }
+    }
+}
+
+impl Report {
+    pub(crate) fn new(raw: NonNull<sys::amst_report>, n_patches: usize) -> Self {
+        Self { raw, n_patches }
+    }
+
+    /// Whether some patch was left or missed alpha.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert!(!mesh.smooth(None, None)?.is_partial());
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn is_partial(&self) -> bool {
+        self.all().status() == Status::Partial
+    }
+
+    /// All patches together: counts are sums and qualities the smallest, but singularities and valences
+    /// are those of the whole mesh. An operation that had no patches has only this.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert_eq!(mesh.smooth(None, None)?.all().status(), Status::Ok);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn all(&self) -> Outcome<'_> {
+        Outcome { report: self, patch: sys::AMST_ALL }
+    }
+
+    /// One patch. Errors: `Range`.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let report = mesh.smooth(None, None)?; // had no patches
+    /// assert_eq!(report.patch(PatchId::new(0)).unwrap_err().status, Status::Range);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn patch(&self, patch: PatchId) -> Result<Outcome<'_>> {
+        // A negative number may be that of all patches, which is no patch.
+        let outcome = Outcome { report: self, patch: i32::from(patch).max(-1) };
+        outcome.get_int(ResultKey::Status)?;
+        Ok(outcome)
+    }
+
+    /// All patches, one by one.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let mut patches = Patches::new(&mesh, &Options::new().patch_faces(8.0)?);
+    /// patches.decompose(Decomposition::Partition)?;
+    /// let report = mesh.adapt(&mut patches, 1.0, None)?;
+    /// assert_eq!(report.patches().map(|patch| patch.faces_before()).sum::<usize>(), 16);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn patches(&self) -> impl ExactSizeIterator<Item = Outcome<'_>> {
+        (0..self.n_patches).map(|patch| Outcome { report: self, patch: patch as i32 })
+    }
+
+    /// For each vertex of the mesh after the operation the one it was before, `None` if it is new.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let report = mesh.smooth(None, None)?;
+    /// assert_eq!(report.vertex_origins()[3], Some(VertexId::new(3)));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn vertex_origins(&self) -> Vec<Option<VertexId>> {
+        self.origins(Entity::Vertex).into_iter().map(VertexId::some).collect()
+    }
+
+    /// The same for edges.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert_eq!(mesh.smooth(None, None)?.edge_origins().len(), 40);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn edge_origins(&self) -> Vec<Option<EdgeId>> {
+        self.origins(Entity::Edge).into_iter().map(EdgeId::some).collect()
+    }
+
+    /// The same for faces.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let mut patches = Patches::new(&mesh, None);
+    /// patches.add_rings(VertexId::new(6), 1)?;
+    /// let report = mesh.adapt(&mut patches, 2.0, None)?;
+    /// assert_eq!(report.face_origins().iter().flatten().count(), 12); // the others are new
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn face_origins(&self) -> Vec<Option<FaceId>> {
+        self.origins(Entity::Face).into_iter().map(FaceId::some).collect()
+    }
+
+    fn origins(&self, entity: Entity) -> Vec<i32> {
+        let report = self.raw.as_ptr();
+        // SAFETY: the handle is valid and its report never changes.
+        must(unsafe {
+            array::rows(|out: *mut i32, capacity, needed| {
+                sys::amst_report_get_origin(report, entity.into(), out, capacity, needed)
+            })
+        })
+    }
+}
+
+impl fmt::Debug for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Report")
+            .field("status", &self.all().status())
+            .field("n_patches", &self.n_patches)
+            .finish_non_exhaustive()
+    }
+}
+
+/// What was done to one patch, or to all.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome<'a> {
+    report: &'a Report,
+    patch: i32,
+}
+
+/// Generates the plain getters.
+macro_rules! results {
+    ($($(#[$about:meta])* $name:ident -> $type:ty = $get:ident($key:ident) $assert:literal;)+) => {
+        impl Outcome<'_> {
+            $(
+                $(#[$about])*
+                ///
+                /// ```
+                #[doc = include_str!("grid.txt")]
+                /// let mut patches = Patches::new(&mesh, None);
+                /// patches.add_rings(VertexId::new(12), 2)?; // all 16 faces
+                /// let report = mesh.adapt(&mut patches, 2.0, None)?;
+                /// let outcome = report.patch(PatchId::new(0))?;
+                #[doc = $assert]
+                /// # Ok::<(), Error>(())
+                /// ```
+                pub fn $name(&self) -> $type {
+                    self.$get(ResultKey::$key)
+                }
+            )+
+        }
+    };
+}
+
+results! {
+    /// Number of faces before.
+    faces_before -> usize = count(FacesBefore) "assert_eq!(outcome.faces_before(), 16);";
+    /// Number of faces after.
+    faces_after -> usize = count(FacesAfter) "assert_eq!(outcome.faces_after(), 32);";
+    /// alpha times the faces before, rounded.
+    faces_wanted -> usize = count(FacesWanted) "assert_eq!(outcome.faces_wanted(), 32);";
+    /// Singular vertices before: of the mesh, in the patch with its boundary.
+    singular_before -> usize = count(SingularBefore) "assert_eq!(outcome.singular_before(), 0);";
+    /// Singular vertices after, likewise.
+    singular_after -> usize = count(SingularAfter) "assert!(outcome.singular_after() > 0);";
+    /// The least number that any filling of the boundary has.
+    singular_bound -> usize = count(SingularBound) "assert_eq!(outcome.singular_bound(), 0);";
+    /// 0: the filling as predicted; n: geometry forced the n-th later one.
+    candidate -> usize = count(Candidate) "assert!(outcome.candidate() < 16);";
+    /// Faces after over faces before.
+    alpha -> f64 = real(Alpha) "assert_eq!(outcome.alpha(), 2.0);";
+    /// The smallest scaled Jacobian before.
+    quality_before -> f64 = real(QualityBefore) "assert_eq!(outcome.quality_before(), 1.0);";
+    /// The smallest scaled Jacobian after.
+    quality_after -> f64 = real(QualityAfter) "assert!(outcome.quality_after() > 0.0);";
+    /// Seconds spent.
+    seconds -> f64 = real(Seconds) "assert!(outcome.seconds() < 60.0);";
+}
+
+impl<'a> Outcome<'a> {
+    /// The patch, `None` for all together.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert_eq!(mesh.smooth(None, None)?.all().id(), None);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn id(&self) -> Option<PatchId> {
+        PatchId::some(self.patch)
+    }
+
+    /// How the work on the patch ended; of all: how the call did.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert_eq!(mesh.clean(None)?.all().status(), Status::Ok);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn status(&self) -> Status {
+        (must(self.get_int(ResultKey::Status)) as i32).into()
+    }
+
+    /// Interior vertices of one valence before the operation.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert_eq!(mesh.smooth(None, None)?.all().valence_before(4), 9);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn valence_before(&self, valence: i32) -> usize {
+        self.valence(0, valence)
+    }
+
+    /// Interior vertices of one valence after the operation.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert_eq!(mesh.smooth(None, None)?.all().valence_after(3), 0);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn valence_after(&self, valence: i32) -> usize {
+        self.valence(1, valence)
+    }
+
+    /// An integer, by key or by the number of one that this crate does not know.
+    ///
+    /// Errors: `NotFound` (a real's key, or one unknown to the library).
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let report = mesh.clean(None)?;
+    /// assert_eq!(report.all().get_int(ResultKey::FacesAfter)?, 16);
+    /// assert_eq!(report.all().get_int(999).unwrap_err().status, Status::NotFound);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn get_int(&self, key: impl Into<i32>) -> Result<i64> {
+        let report = self.report.raw.as_ptr();
+        // SAFETY: the handle is valid, the output is written through a valid pointer.
+        value(|out| unsafe { sys::amst_report_get_int(report, self.patch, key.into(), out) })
+    }
+
+    /// A real, likewise.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert_eq!(mesh.clean(None)?.all().get_real(ResultKey::Alpha)?, 1.0);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn get_real(&self, key: impl Into<i32>) -> Result<f64> {
+        let report = self.report.raw.as_ptr();
+        // SAFETY: as above.
+        value(|out| unsafe { sys::amst_report_get_real(report, self.patch, key.into(), out) })
+    }
+
+    fn valence(&self, after: i32, valence: i32) -> usize {
+        let report = self.report.raw.as_ptr();
+        // SAFETY: as above.
+        array::count(must(value(|out| unsafe {
+            sys::amst_report_get_valence(report, self.patch, after, valence, out)
+        })))
+    }
+
+    fn count(&self, key: ResultKey) -> usize {
+        array::count(must(self.get_int(key)))
+    }
+
+    fn real(&self, key: ResultKey) -> f64 {
+        must(self.get_real(key))
+    }
+}

@@ -1,0 +1,63 @@
+//! Settings: every key by its own setter, and the generic ones.
+use alphamst::*;
+
+#[test]
+fn defaults_are_those_of_the_header() {
+    let options = Options::default();
+    let integers = [0, 1, 2, 3, 4].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [0, 20, 1, 16, 1000]);
+    let reals = [1000, 1001, 1002].map(|key| options.get_real(key).unwrap());
+    assert_eq!(reals, [0.0, 0.6, 100.0]);
+}
+
+#[test]
+fn every_setter_sets_its_own_key() {
+    let options = Options::new()
+        .seed(i64::MIN)
+        .smooth_steps(11)
+        .unwrap()
+        .repair_patches(false)
+        .candidates(13)
+        .unwrap()
+        .node_limit(1_000_000_000)
+        .unwrap()
+        .min_quality(0.25)
+        .unwrap()
+        .min_convexity(0.75)
+        .unwrap()
+        .patch_faces(12.5)
+        .unwrap();
+    let integers = [0, 1, 2, 3, 4].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000]);
+    let reals = [1000, 1001, 1002].map(|key| options.get_real(key).unwrap());
+    assert_eq!(reals, [0.25, 0.75, 12.5]);
+    assert!(format!("{options:?}").contains("SmoothSteps"));
+}
+
+#[test]
+fn generic_setters_take_keys_and_numbers() {
+    let mut options = Options::new();
+    options.set_int(OptionKey::Candidates, 3).unwrap();
+    options.set_int(4, 5).unwrap();
+    options.set_real(1002, 7.0).unwrap();
+    options.set_real(OptionKey::MinQuality, 0.5).unwrap();
+    assert_eq!(options.get_int(3), Ok(3));
+    assert_eq!(options.get_int(OptionKey::NodeLimit), Ok(5));
+    assert_eq!(options.get_real(OptionKey::PatchFaces), Ok(7.0));
+    assert_eq!(options.get_real(1000), Ok(0.5));
+}
+
+#[test]
+fn refusals_leave_the_value() {
+    let mut options = Options::new();
+    let status = |result: Result<()>| result.unwrap_err().status;
+    assert_eq!(status(options.set_int(OptionKey::SmoothSteps, 1001)), Status::Range);
+    assert_eq!(status(options.set_real(OptionKey::MinQuality, 1.5)), Status::Range);
+    assert_eq!(status(options.set_real(OptionKey::MinQuality, f64::NAN)), Status::NotFinite);
+    assert_eq!(status(options.set_int(OptionKey::MinQuality, 1)), Status::NotFound);
+    assert_eq!(status(options.set_real(OptionKey::Seed, 1.0)), Status::NotFound);
+    assert_eq!(options.get_int(999).unwrap_err().status, Status::NotFound);
+    assert_eq!(options.get_real(1999).unwrap_err().status, Status::NotFound);
+    assert_eq!(options.get_int(OptionKey::SmoothSteps), Ok(20));
+    assert_eq!(options.get_real(OptionKey::MinQuality), Ok(0.0));
+}

@@ -1,0 +1,258 @@
+#!/usr/bin/env python3
+"""Compares the bindings with the header, one line for each difference.
+
+fortran     amst_c.f90: functions as gfortran's -fc-prototypes prints them, constants, struct
+julia       LibAlphaMST.jl: functions as the @ccall lines say, constants, struct; every
+            @cfunction is like a callback of the header
+rust        bindings.rs is what generate.sh makes of the header today
+
+Of a function: its name, and of each argument name, place, width and kind; the names, since
+a swap of two arguments of one type shows in nothing else. Then, in all three, that the
+idiomatic layer uses every function of the raw one.
+"""
+
+import argparse
+import difflib
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+from header import ROOT, Function, Interface, interface, must_run
+
+BINDINGS = ROOT / "bindings"
+FORTRAN = BINDINGS / "fortran" / "src"
+JULIA = BINDINGS / "julia" / "src"
+RUST = BINDINGS / "rust"
+COMMENTS = {".f90": r"!.*", ".jl": r'"""(?s:.*?)"""|#.*', ".rs": r"//.*"}
+# Naming a function there is not yet using it.
+IMPORTS = {".f90": r"(?im)^\s*use\b(?:.*&\s*\n)*.*$",
+           ".jl": r"(?m)^\s*(?:using|import|export)\b(?:.*,\s*\n)*.*$", ".rs": r"(?s)\buse\s.*?;"}
+
+
+def source(path):
+    return re.sub(COMMENTS[path.suffix], "", path.read_text(encoding="utf-8"))
+
+
+# ------------------------------------------------------------------ comparison
+
+def matches(wanted, found):
+    """Languages without C's pointer types have ?* for a pointer to anything."""
+    if found == "?**":
+        return wanted.endswith("**")
+    if found == "?*":
+        return wanted.endswith("_fn") or wanted in ("void*", "char*") or re.fullmatch(r"amst_\w+\*", wanted)
+    return found == wanted
+
+
+def compare_function(name, wanted, found):
+    if not matches(wanted.result, found.result):
+        yield f"{name}: returns {found.result}, not {wanted.result}"
+    if len(wanted.arguments) != len(found.arguments):
+        yield f"{name}: {len(found.arguments)} arguments, not {len(wanted.arguments)}"
+        return
+    for place, (argument, other) in enumerate(zip(wanted.arguments, found.arguments), 1):
+        if argument[0] and argument[0] != other[0]:
+            yield f"{name}: argument {place} is named {other[0]}, not {argument[0]}"
+        if not matches(argument[1], other[1]):
+            yield f"{name}: argument {place}, {other[0]}, is {other[1]}, not {argument[1]}"
+
+
+def sentinel(name, value):
+    """A member that only keeps its enumeration signed and 32 bits wide."""
+    return (name.endswith("_INVALID") and value == -1) or (name.endswith("_MAX") and value == 0x7fffffff)
+
+
+def compare(wanted, found):
+    for name in sorted(wanted.functions.keys() | found.functions.keys()):
+        if name not in found.functions:
+            yield f"{name}: missing"
+        elif name not in wanted.functions:
+            yield f"{name}: no such function in the header"
+        else:
+            yield from compare_function(name, wanted.functions[name], found.functions[name])
+    for name, callback in found.callbacks.items():
+        yield from compare_function(name, wanted.callbacks[name], callback)
+    values = {**wanted.constants, **wanted.versions}
+    for name, value in wanted.constants.items():
+        if name not in found.constants and not sentinel(name, value):
+            yield f"{name}: missing"
+    for name, value in found.constants.items():
+        if name not in values:
+            yield f"{name}: no such constant in the header"
+        elif value != values[name]:
+            yield f"{name}: {value}, not {values[name]}"
+    for name, members in wanted.structs.items():
+        if found.structs.get(name) != members:
+            yield f"{name}: members {found.structs.get(name)}, not {members}"
+
+
+def unused(functions, paths):
+    words = {word for path in paths
+             for word in re.findall(r"\w+", re.sub(IMPORTS[path.suffix], "", source(path)))}
+    return [f"{name}: not used by the idiomatic layer" for name in sorted(functions - words)]
+
+
+# --------------------------------------------------------------------- Fortran
+
+FORTRAN_TYPES = {"int": "int32", "long": "int64", "void": "?"}
+
+
+def fortran_argument(text, references):
+    """One argument of a prototype; c_ptr and c_funptr are printed alike with value and without."""
+    callback = re.fullmatch(r"\w+ \(\*(\w+)\)\(\)", text)
+    base, stars, name = (("void", "*", callback[1]) if callback else
+                         re.fullmatch(r"(\w[\w ]*?) ?(\**)(\w+)", text).groups())
+    if base == "void" and name in references:
+        stars += "*"
+    return name, FORTRAN_TYPES.get(base, base) + stars
+
+
+def fortran_bodies(text):
+    """Of each bind(c) procedure: its name, the name in C, its declarations."""
+    text = re.sub(r"&\s*&?", " ", text.lower())
+    pattern = (r"^[ \w()]*\b(function|subroutine) +(\w+)([^\n]*\bbind\s*\(\s*c\b[^\n]*)\n"
+               r"(.*?)\bend +\1")
+    for _, name, head, body in re.findall(pattern, text, flags=re.S | re.M):
+        bound = re.search(r"\bname\s*=\s*[\"'](\w+)", head)
+        yield name, bound[1] if bound else name, re.findall(r"([^\n]+)::([^\n]+)", body)
+
+
+def fortran_references(declarations):
+    """The c_ptr and c_funptr arguments without value."""
+    return {entry.strip() for attributes, entries in declarations
+            if re.search(r"\bc_(fun)?ptr\b", attributes) and not re.search(r"\bvalue\b", attributes)
+            for entry in entries.split(",")}
+
+
+def fortran_not_in_c(declarations):
+    """What gfortran prints like a plain argument of C, but passes by descriptor."""
+    for attributes, entries in declarations:
+        if re.search(r"\(\s*:|\ballocatable\b|\bpointer\b|\blen\s*=", attributes + entries):
+            yield f"{attributes.strip()} :: {entries.strip()}"
+
+
+def fortran(header):
+    raw = FORTRAN / "amst_c.f90"
+    text = source(raw)
+    bodies = list(fortran_bodies(text))
+    references = {bound: fortran_references(declarations) for _, bound, declarations in bodies}
+    wrong = [f"{name}: calls {bound}" for name, bound, _ in bodies if name != bound]
+    wrong += [f"{name}: is no argument of C: {declaration}" for name, _, declarations in bodies
+              for declaration in fortran_not_in_c(declarations)]
+    wrong += [f"{kind}: not of one width everywhere"
+              for kind in sorted(set(re.findall(r"\bc_(?:int|long|long_long|size_t)\b", text.lower())))]
+    with tempfile.TemporaryDirectory() as directory:
+        printed = must_run(["gfortran", "-fc-prototypes", "-fsyntax-only", raw], cwd=directory)
+    printed = re.sub(r"\bconst |\s*/\*.*?\*/\s*", "", printed)
+    found = Interface({}, {}, fortran_constants(text), {}, {})
+    for base, stars, name, arguments in re.findall(r"^(\w+) (\**)(amst_\w+) \((.*)\);$", printed, flags=re.M):
+        base = "void" if (base, stars) == ("void", "") else FORTRAN_TYPES.get(base, base)
+        arguments = [fortran_argument(entry, references.get(name, ()))
+                     for entry in arguments.split(", ") if entry]
+        place = found.callbacks if name in header.callbacks else found.functions
+        place[name] = Function(base + stars, arguments)
+    for members, name in re.findall(r"^typedef struct \w+ \{(.*?)\} (\w+);", printed, flags=re.S | re.M):
+        found.structs[name] = [(member, FORTRAN_TYPES.get(base, base))
+                               for base, member in re.findall(r"(\w+) (\w+);", members)]
+    idiomatic = set(FORTRAN.rglob("*.f90")) - {raw}
+    return wrong + list(compare(header, found)) + unused(header.functions.keys(), idiomatic)
+
+
+def fortran_constants(text):
+    """As gfortran evaluates them."""
+    names = re.findall(r"\b(amst_\w+)\s*=", text, flags=re.I)
+    lines = "\n".join(f"print '(a, 1x, i0)', '{name.upper()}', {name}" for name in names)
+    with tempfile.TemporaryDirectory() as directory:
+        program = pathlib.Path(directory, "constants.f90")
+        program.write_text(f"{text}\nprogram constants\nuse amst_c\nimplicit none\n{lines}\nend program\n",
+                           encoding="utf-8")
+        must_run(["gfortran", program, "-o", "constants"], cwd=directory)
+        printed = must_run(["./constants"], cwd=directory).split()
+    return dict(zip(printed[::2], map(int, printed[1::2])))
+
+
+# ----------------------------------------------------------------------- Julia
+
+JULIA_TYPES = {"Int32": "int32", "Cint": "int32", "Int64": "int64", "Clonglong": "int64",
+               "Float64": "double", "Cdouble": "double", "Cstring": "char*", "Cvoid": "void"}
+
+
+def julia_type(text):
+    pointer = re.fullmatch(r"(?:Ptr|Ref)\{(.*)\}", text.strip())
+    return julia_type(pointer[1]) + "*" if pointer else JULIA_TYPES.get(text.strip(), text.strip())
+
+
+def julia_function(arguments, result):
+    """Of "mesh::Ptr{amst_mesh}, dim::Ptr{Int32}" or, in @cfunction, of the types alone."""
+    pairs = [entry.rpartition("::") for entry in arguments.split(",") if entry.strip()]
+    return Function(julia_type(result), [(name.strip(), julia_type(kind)) for name, _, kind in pairs])
+
+
+def julia_thunks(header, text):
+    for name, result, arguments in re.findall(r"@cfunction\(\s*\$?(\w+),\s*(\w+),\s*\((.*?)\)\s*\)", text):
+        thunk = julia_function(arguments, result)
+        if all(list(compare_function(name, callback, thunk)) for callback in header.callbacks.values()):
+            yield f"{name}: like no callback of the header"
+
+
+def julia(header):
+    raw = JULIA / "LibAlphaMST.jl"
+    idiomatic = set(JULIA.rglob("*.jl")) - {raw}
+    text = source(raw)
+    constants = re.findall(r"^\s*const (AMST_\w+)\s*=\s*(?:Int32|Cint)?\(?(-?\w+)\)?\s*$", text, flags=re.M)
+    found = Interface({}, {}, {name: int(value, 0) for name, value in constants}, {}, {})
+    wrong = []
+    calls = re.findall(r"^\s*(\w+)\((.*?)\) = @ccall (?:.*\.)?(\w+)\((.*)\)::(\w+)\s*$", text, flags=re.M)
+    for name, given, called, arguments, result in calls:
+        function = julia_function(arguments, result)
+        found.functions[called] = function
+        if name != called:
+            wrong.append(f"{name}: calls {called}")
+        if given != ", ".join(argument for argument, _ in function.arguments):
+            wrong.append(f"{name}: takes {given} and passes something else")
+    for name, members in re.findall(r"^struct (\w+)\n(.*?)^end", text, flags=re.S | re.M):
+        found.structs[name] = [(member, julia_type(kind))
+                               for member, kind in re.findall(r"(\w+)::(\w+)", members)]
+    for path in idiomatic:
+        wrong += julia_thunks(header, source(path))
+    return wrong + list(compare(header, found)) + unused(header.functions.keys(), idiomatic)
+
+
+# ------------------------------------------------------------------------ Rust
+
+def rust(header):
+    crate = RUST / "alphamst-sys"
+    if not shutil.which("rustfmt"):
+        return ["generate.sh needs rustfmt"]
+    with tempfile.TemporaryDirectory() as directory:
+        generated = pathlib.Path(directory, "bindings.rs")
+        must_run(["sh", crate / "generate.sh", generated])
+        wanted = generated.read_text(encoding="utf-8").splitlines()
+    found = (crate / "src" / "bindings.rs").read_text(encoding="utf-8").splitlines()
+    changes = list(difflib.unified_diff(wanted, found, lineterm="", n=0))[2:]
+    wrong = [f"bindings.rs: {'missing' if line[0] == '-' else 'unexpected'} '{line[1:].strip()}'"
+             for line in changes if line[0] != "@"]
+    return wrong + unused(header.functions.keys(), (RUST / "alphamst" / "src").rglob("*.rs"))
+
+
+LANGUAGES = {"fortran": fortran, "julia": julia, "rust": rust}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("languages", nargs="*", metavar="language",
+                        help=f"of {', '.join(LANGUAGES)}; all if none")
+    arguments = parser.parse_args()
+    header = interface()
+    wrong = []
+    for language in arguments.languages or LANGUAGES:
+        lines = LANGUAGES[language](header)
+        print("\n".join(f"{language}: {line}" for line in lines or ["ok"]))
+        wrong += lines
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
