@@ -1,4 +1,5 @@
-# Rust and Julia, and the five examples, which print the same in every language.
+# Rust and Julia, ends of handles under valgrind, and the five examples, which print the same in
+# every language.
 
 # -------------------------------------------------------------------- Rust
 
@@ -19,6 +20,17 @@ add_rust_test(documentation test --locked --doc)
 add_rust_test(clippy clippy --locked --all-targets -- -D warnings)
 add_rust_test(format fmt --check)
 set_tests_properties(rust.test rust.documentation PROPERTIES FIXTURES_REQUIRED rust)
+
+# ------------------------------------------- every order of ends, no error
+
+find_program(VALGRIND valgrind REQUIRED)
+set(watched "${VALGRIND}" --quiet --leak-check=full --errors-for-leak-kinds=definite --error-exitcode=9)
+add_test(NAME fortran.lifetime.valgrind COMMAND ${watched} $<TARGET_FILE:fortran_lifetime>)
+set_tests_properties(fortran.lifetime.valgrind PROPERTIES LABELS fortran TIMEOUT 600)
+add_rust_test(destroy.valgrind test --locked --test destroy)
+list(JOIN watched " " watched)
+set_tests_properties(rust.destroy.valgrind PROPERTIES FIXTURES_REQUIRED rust
+    ENVIRONMENT "${rust_environment};CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER=${watched};CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER=${watched}")
 
 # ------------------------------------------------------------------- Julia
 
