@@ -111,7 +111,8 @@ fill::Request Site::request() const {
     if (goal_.keep_quality)
         request.fewer_than = old_singular_all_; // for no more than that the present one stays
     request.most = settings_.candidates;
-    request.node_limit = settings_.node_limit;
+    // Where the present filling is an answer, three plans share the effort.
+    request.node_limit = goal_.keep_quality ? settings_.node_limit / 3 : settings_.node_limit;
     request.seed = settings_.seed;
     request.tolerance = 0;
     return request;
