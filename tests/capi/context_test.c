@@ -230,6 +230,21 @@ static void log_speaks_up_to_its_level(void **state) {
     end_world(&w);
 }
 
+static void stop_at_a_message(void *user, int32_t level, const char *message) {
+    (void)level;
+    (void)message;
+    must(amst_context_set_cancel(((world *)user)->ctx, 1));
+}
+
+static void a_log_function_may_cancel(void **state) {
+    (void)state;
+    world w = new_world();
+    must(amst_context_set_log(w.ctx, AMST_LOG_DEBUG, stop_at_a_message, &w));
+    refused(AMST_ERR_CANCELLED, amst_adapt(w.mesh, w.set, 2, NULL, NULL));
+    assert_true(checksum(w.mesh) == w.before);
+    end_world(&w);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(index_base_is_0_or_1),
@@ -241,6 +256,7 @@ int main(void) {
         cmocka_unit_test(callbacks_may_ask_but_not_change),
         cmocka_unit_test(handles_may_end_in_a_callback),
         cmocka_unit_test(log_speaks_up_to_its_level),
+        cmocka_unit_test(a_log_function_may_cancel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
