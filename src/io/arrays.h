@@ -20,8 +20,8 @@ struct Arrays {
     std::vector<MarkedEdge> marked_edges; // boundary numbers, in file order
 };
 
-// Format by the extension of path (UTF-8): .off .obj .ply .msh .vtk; writing also
-// .svg. Throws Failure: io (cannot be opened, read or written), format (malformed,
+// Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk; writing all but
+// .su2, and .svg. Throws Failure: io (cannot be opened, read or written), format (malformed,
 // with line number or byte offset in the sentence), unsupported (extension or
 // binary variant not known), not_quad (a face that is not a quadrilateral),
 // range (a corner that is not a vertex of the file), not_finite.

@@ -17,13 +17,14 @@ namespace {
 struct Format {
     std::string_view extension;
     Arrays (*parse)(std::string_view);
-    std::string (*print)(const Arrays &);
+    std::string (*print)(const Arrays &); // nullptr: not written
 };
 
-constexpr std::array<Format, 5> formats{{{".off", parse_off, print_off},
+constexpr std::array<Format, 6> formats{{{".off", parse_off, print_off},
                                          {".obj", parse_obj, print_obj},
                                          {".ply", parse_ply, print_ply},
                                          {".msh", parse_msh, print_msh},
+                                         {".su2", parse_su2, nullptr},
                                          {".vtk", parse_vtk, print_vtk}}};
 
 std::string_view extension(std::string_view path) {
@@ -31,9 +32,9 @@ std::string_view extension(std::string_view path) {
     return dot == std::string_view::npos || path[dot] != '.' ? std::string_view() : path.substr(dot);
 }
 
-const Format &find(std::string_view path, const char *known) {
+const Format &find(std::string_view path, bool written, const char *known) {
     for (const Format &format : formats)
-        if (same_word(extension(path), format.extension))
+        if (same_word(extension(path), format.extension) && (format.print != nullptr || !written))
             return format;
     throw Failure(Fault::unsupported, "the extension " + quoted(extension(path)) + " is not one of " + known);
 }
@@ -61,7 +62,7 @@ void check(const Arrays &mesh) {
 } // namespace
 
 Arrays read(const std::string &path) {
-    const Format &format = find(path, ".off, .obj, .ply, .msh, .vtk");
+    const Format &format = find(path, false, ".off, .obj, .ply, .msh, .su2, .vtk");
     return format.parse(load(path));
 }
 
@@ -71,7 +72,7 @@ void write(const std::string &path, const Arrays &mesh) {
         write_svg(path, picture(mesh));
         return;
     }
-    const Format &format = find(path, ".off, .obj, .ply, .msh, .vtk, .svg");
+    const Format &format = find(path, true, ".off, .obj, .ply, .msh, .vtk, .svg");
     check(mesh);
     save(path, format.print(mesh));
 }

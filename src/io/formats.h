@@ -21,6 +21,7 @@ Arrays parse_off(std::string_view bytes);
 Arrays parse_obj(std::string_view bytes);
 Arrays parse_ply(std::string_view bytes);
 Arrays parse_msh(std::string_view bytes);
+Arrays parse_su2(std::string_view bytes); // read only
 Arrays parse_vtk(std::string_view bytes);
 
 // OFF, OBJ and PLY have no place for markers and drop them; VTK has them as the scalars

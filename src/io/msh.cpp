@@ -1,4 +1,4 @@
-// Gmsh's MSH (Geuzaine and Remacle 2009): reads 2.x and 4.1, ASCII; writes 2.2,
+// Gmsh's MSH (Geuzaine and Remacle 2009): reads 1, 2.x and 4.1, ASCII; writes 2.2,
 // which every program that reads MSH still reads. Lines become marked edges;
 // points are passed over. A marker is the physical tag; a line without one has the
 // tag of its curve instead, so that outlines of a model without physical groups
@@ -21,6 +21,11 @@ namespace {
 constexpr std::int64_t line_type = 1, quad_type = 3, point_type = 15;
 
 bool is_line(std::int64_t type) { return type == line_type || type == 8 || (type >= 26 && type <= 28); }
+
+// 0: of no interest.
+std::int64_t nodes_of(std::int64_t type) {
+    return type == line_type ? 2 : type == quad_type ? 4 : type == point_type ? 1 : 0;
+}
 
 // Node tags to vertices: tags may be sparse and in any order.
 class Numbering {
@@ -60,23 +65,33 @@ public:
         read_version();
         while (!scan_.at_end()) {
             const std::string_view section = scan_.word();
-            if (section == "$Entities" && four_)
+            if (section == "$Entities" && major_ == 4)
                 read_entities();
-            else if (section == "$Nodes")
-                four_ ? read_nodes_4() : read_nodes_2();
-            else if (section == "$Elements")
+            else if (section == names().nodes)
+                major_ == 4 ? read_nodes_4() : read_nodes_2();
+            else if (section == names().elements)
                 read_elements();
             else
                 skip(section);
         }
         if (!nodes_ || !elements_)
-            scan_.malformed(nodes_ ? "the file has no section $Elements" : "the file has no section $Nodes");
+            scan_.malformed("the file has no section " +
+                            std::string(nodes_ ? names().elements : names().nodes));
         if (std::all_of(mesh_.face_marker.begin(), mesh_.face_marker.end(), [](int m) { return m == 0; }))
             mesh_.face_marker.clear();
         return finished(std::move(mesh_));
     }
 
 private:
+    struct Names {
+        std::string_view nodes, end_nodes, elements, end_elements;
+    };
+    const Names &names() const {
+        static constexpr Names first{"$NOD", "$ENDNOD", "$ELM", "$ENDELM"},
+            later{"$Nodes", "$EndNodes", "$Elements", "$EndElements"};
+        return major_ == 1 ? first : later;
+    }
+
     void expect_word(std::string_view expected) {
         const std::string_view word = scan_.word();
         if (word != expected)
@@ -84,18 +99,21 @@ private:
     }
 
     void read_version() {
+        // Version 1 does not name itself: it begins with its nodes.
+        if (!scan_.at_end() && scan_.ahead("$NOD")) {
+            major_ = 1;
+            return;
+        }
         const std::string_view first = scan_.word();
-        if (first == "$NOD")
-            scan_.fail(Fault::unsupported, "MSH 1 is not read, only 2.x and 4.1");
         if (first != "$MeshFormat")
             scan_.malformed("found " + quoted(first) + " in place of $MeshFormat");
         const std::string_view version = scan_.word();
         double value = 0;
         if (parse(version, value) != Parsed::number)
             scan_.malformed("found " + quoted(version) + " in place of a version");
-        four_ = value == 4.1;
-        if (!four_ && !(value >= 2 && value < 3))
-            scan_.fail(Fault::unsupported, "MSH " + quoted(version) + " is not read, only 2.x and 4.1");
+        major_ = value == 4.1 ? 4 : 2;
+        if (major_ == 2 && !(value >= 2 && value < 3))
+            scan_.fail(Fault::unsupported, "MSH " + quoted(version) + " is not read, only 1, 2.x and 4.1");
         if (scan_.integer() != 0)
             scan_.fail(Fault::unsupported, "binary MSH is not read");
         scan_.line();
@@ -103,12 +121,12 @@ private:
     }
 
     void skip(std::string_view section) {
-        if (section.size() < 2 || section[0] != '$' || section.starts_with("$End"))
+        if (section.size() < 2 || section[0] != '$' || same_word(section.substr(0, 4), "$End"))
             scan_.malformed("found " + quoted(section) + " in place of a section");
         const std::string end = "$End" + std::string(section.substr(1));
         scan_.line();
         while (!scan_.at_end())
-            if (scan_.line() == end)
+            if (same_word(scan_.line(), end)) // $ENDVIEW in version 1
                 return;
         scan_.malformed("the section " + quoted(section) + " has no end");
     }
@@ -142,12 +160,12 @@ private:
 
     void begin_nodes() {
         if (nodes_)
-            scan_.malformed("the section $Nodes comes twice");
+            scan_.malformed("the section " + std::string(names().nodes) + " comes twice");
         nodes_ = true;
     }
 
     void end_nodes() {
-        expect_word("$EndNodes");
+        expect_word(names().end_nodes);
         if (!numbering_.close())
             scan_.malformed("two nodes have the same number");
     }
@@ -229,10 +247,27 @@ private:
 
     void read_elements() {
         if (elements_)
-            scan_.malformed("the section $Elements comes twice");
+            scan_.malformed("the section " + std::string(names().elements) + " comes twice");
         elements_ = true;
-        four_ ? read_elements_4() : read_elements_2();
-        expect_word("$EndElements");
+        if (major_ == 1)
+            read_elements_1();
+        else
+            major_ == 4 ? read_elements_4() : read_elements_2();
+        expect_word(names().end_elements);
+    }
+
+    void read_elements_1() {
+        const std::int64_t n = scan_.count("elements", 8);
+        for (std::int64_t i = 0; i < n; ++i) {
+            scan_.integer();
+            const std::int64_t type = scan_.integer();
+            const std::int32_t physical = small(scan_.integer()), entity = small(scan_.integer());
+            const std::int64_t n_nodes = scan_.integer(), n_wanted = nodes_of(type);
+            if (n_wanted != 0 && n_nodes != n_wanted)
+                scan_.malformed("an element of type " + std::to_string(type) + " has " +
+                                std::to_string(n_nodes) + " nodes, not " + std::to_string(n_wanted));
+            read_element(type, physical, entity);
+        }
     }
 
     void read_elements_2() {
@@ -268,7 +303,8 @@ private:
     }
 
     Scanner scan_;
-    bool four_ = false, nodes_ = false, elements_ = false;
+    int major_ = 2; // version
+    bool nodes_ = false, elements_ = false;
     Numbering numbering_;
     std::map<std::pair<std::int64_t, std::int64_t>, std::int32_t> physical_; // of (dimension, entity)
     Arrays mesh_;

@@ -75,6 +75,29 @@ static void markers_are_features_and_come_back(void **state) {
     amst_context_destroy(ctx);
 }
 
+static const char first[] = "$NOD\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$ENDNOD\n"
+                            "$ELM\n3\n1 1 1 7 2 1 2\n2 3 0 11 4 1 2 5 4\n3 3 0 11 4 2 3 6 5\n$ENDELM\n";
+static const char second[] = "NDIME= 2\nNELEM= 2\n9 0 1 4 3\n9 1 2 5 4\n"
+                             "NPOIN= 6\n0 0\n1 0\n2 0\n0 1\n1 1\n2 1\n"
+                             "NMARK= 1\nMARKER_TAG= low\nMARKER_ELEMS= 1\n3 0 1\n";
+
+static void one_mesh_in_two_formats(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *old = NULL, *su2 = NULL;
+    write_text("capi_first.msh", first);
+    write_text("capi_second.su2", second);
+    must(amst_mesh_read(ctx, "capi_first.msh", NULL, &old));
+    must(amst_mesh_read(ctx, "capi_second.su2", NULL, &su2));
+    assert_int_equal(count_of(su2, AMST_FACE), 2);
+    assert_true(checksum(old) == checksum(su2)); /* the first edge has number 1 in both */
+    remove("capi_first.msh");
+    remove("capi_second.su2");
+    amst_mesh_destroy(old);
+    amst_mesh_destroy(su2);
+    amst_context_destroy(ctx);
+}
+
 static void pictures(void **state) {
     (void)state;
     amst_context *ctx = new_context(0);
@@ -118,6 +141,10 @@ static void what_is_no_mesh_is_refused(void **state) {
          AMST_ERR_NOT_MANIFOLD},
         {"capi_bad.vtk", "not a vtk file\n", AMST_ERR_FORMAT},
         {"capi_bad.msh", "$MeshFormat\n2.2 0 8\n", AMST_ERR_FORMAT},
+        {"capi_bad.msh", "$NOD\n1\n1 0 0 0\n", AMST_ERR_FORMAT},
+        {"capi_bad.su2", "NDIME= 2\n", AMST_ERR_FORMAT},
+        {"capi_bad.su2", "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1 0\n0 1\nNMARK= 0\n",
+         AMST_ERR_NOT_QUAD},
         {"capi_bad.stl", "solid\n", AMST_ERR_UNSUPPORTED},
         {"capi_bad", "OFF\n", AMST_ERR_UNSUPPORTED},
     };
@@ -142,6 +169,7 @@ static void paths_that_lead_nowhere(void **state) {
     refused(AMST_ERR_IO, amst_mesh_read(ctx, "capi_no_such_file.off", NULL, &back));
     refused(AMST_ERR_IO, amst_mesh_write(mesh, "capi_no_such_directory/mesh.off"));
     refused(AMST_ERR_UNSUPPORTED, amst_mesh_write(mesh, "capi_mesh.stl"));
+    refused(AMST_ERR_UNSUPPORTED, amst_mesh_write(mesh, "capi_mesh.su2")); /* only read */
     refused(AMST_ERR_UNSUPPORTED, amst_mesh_write(mesh, ""));
     assert_false(exists("capi_mesh.stl"));
     assert_null(back);
@@ -153,6 +181,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(there_and_back),
         cmocka_unit_test(markers_are_features_and_come_back),
+        cmocka_unit_test(one_mesh_in_two_formats),
         cmocka_unit_test(pictures),
         cmocka_unit_test(what_is_no_mesh_is_refused),
         cmocka_unit_test(paths_that_lead_nowhere),

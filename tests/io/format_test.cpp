@@ -52,10 +52,17 @@ TEST(Format, KnowsItsExtensions) {
     const samples::Folder folder;
     for (const char *name : {"m.stl", "m", "m.", "x.off/m", "m.svg"})
         EXPECT_EQ(failure_of([&] { read(folder / name); }).fault, Fault::unsupported) << name;
-    for (const char *name : {"m.stl", "m"})
+    for (const char *name : {"m.stl", "m", "m.su2"})
         EXPECT_EQ(failure_of([&] { write(folder / name, samples::cube()); }).fault, Fault::unsupported)
             << name;
     EXPECT_EQ(failure_of([&] { read(folder / "m.off"); }).fault, Fault::io);
+}
+
+TEST(Format, ReadsWhatItDoesNotWrite) {
+    const samples::Folder folder;
+    std::ofstream(folder / "m.SU2")
+        << "NDIME= 2\nNELEM= 1\n9 0 1 2 3\nNPOIN= 4\n0 0\n1 0\n1 1\n0 1\nNMARK= 0\n";
+    EXPECT_EQ(read(folder / "m.SU2").faces, (std::vector<std::int32_t>{0, 1, 2, 3}));
 }
 
 TEST(Format, WritesNoMeshThatItCouldNotRead) {

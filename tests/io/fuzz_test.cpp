@@ -45,6 +45,13 @@ std::vector<Sample> all_samples() {
              "9 0\n"
              "$EndEntities\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
              "$Elements\n2 2 1 2\n1 1 1 1\n1 1 2\n2 1 3 1\n2 1 2 3 4\n$EndElements\n"},
+            {"msh 1", parse_msh,
+             "$NOD\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$ENDNOD\n"
+             "$ELM\n3\n1 15 0 1 1 1\n2 1 5 1 2 1 2\n3 3 7 1 4 1 2 3 4\n$ENDELM\n"},
+            {"su2", parse_su2,
+             "% a square\nNDIME= 2\nNELEM= 1\n9 0 1 2 3 0\nNPOIN= 4 4\n0 0 0\n1 0 1\n1 1 2\n0 1 3\n"
+             "NMARK= 2\nMARKER_TAG= low\nMARKER_ELEMS= 1\n3 0 1\nMARKER_TAG= other\n"
+             "MARKER_ELEMS= 2\n3 1 2 0\n3 2 3\nFFD_CORNER_POINTS= 1\n0.5 0.5\n"},
             {"vtk 5.1", parse_vtk,
              "# vtk DataFile Version 5.1\nx\nASCII\nDATASET" + vtk_points +
                  "FIELD f 1\na 1 2 int\n1 2\nCELLS 2 4\nOFFSETS int\n0 4\nCONNECTIVITY int\n0 1 2 "

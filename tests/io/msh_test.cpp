@@ -55,6 +55,90 @@ TEST(Msh, ReadsVersion4) {
     EXPECT_TRUE(parse_msh(four_head + four_nodes + four_elements).face_marker.empty());
 }
 
+// The mesh of version 2 in version 1.
+const std::string one_nodes =
+    "$NOD\n7\n10 0 0 0\n3 1 0 0\n900 1 1 0\n4 0 1 0\n5 2 0 0\n6 2 1 0\n7 9 9 0\n$ENDNOD\n";
+
+std::string one(const std::string &lines, int n) {
+    return one_nodes + "$ELM\n" + std::to_string(n) + "\n" + lines + "$ENDELM\n";
+}
+
+TEST(Msh, ReadsVersion1) {
+    const std::string lines = "1 15 0 1 1 10\n2 1 5 1 2 10 3\n3 1 0 8 2 3 5\n4 1 0 0 2 5 6\n"
+                              "5 3 0 1 4 10 3 900 4\n9 3 17 1 4 3 5 6 900\n";
+    for (const std::string &text :
+         {one(lines, 6), " \n" + one(lines, 6),
+          one(lines, 6) + "$PostFormat\n1.4 0 8\n$EndPostFormat\n$VIEW\n0\n$ENDVIEW\n"}) {
+        const Arrays mesh = parse_msh(text);
+        EXPECT_EQ(mesh.dim, 2);
+        EXPECT_EQ(mesh.points,
+                  (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0, 9, 9, 0}));
+        EXPECT_EQ(mesh.faces, (std::vector<std::int32_t>{0, 1, 2, 3, 1, 4, 5, 2}));
+        EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{0, 17}));
+        ASSERT_EQ(mesh.marked_edges.size(), 2u); // the third has no number at all
+        EXPECT_EQ(mesh.marked_edges[0].vertices, (std::array<std::int32_t, 2>{0, 1}));
+        EXPECT_EQ(mesh.marked_edges[0].marker, 5);
+        EXPECT_EQ(mesh.marked_edges[1].vertices, (std::array<std::int32_t, 2>{1, 4}));
+        EXPECT_EQ(mesh.marked_edges[1].marker, 8); // the elementary region
+    }
+    EXPECT_TRUE(parse_msh(one("1 3 0 1 4 10 3 900 4\n", 1)).face_marker.empty());
+}
+
+TEST(Msh, RejectsOtherElementsOfVersion1) {
+    for (const char *line :
+         {"2 2 0 1 3 10 3 900\n", "2 10 0 1 9 1 2 3 4 5 6 7 8 9\n", "2 5 0 1 8 1 2 3 4 5 6 7 8\n"}) {
+        const Failure failure =
+            failure_of([&] { parse_msh(one("1 3 0 1 4 10 3 900 4\n" + std::string(line), 2)); });
+        EXPECT_EQ(failure.fault, Fault::not_quad) << line;
+        EXPECT_EQ(failure.ids, std::vector<std::int64_t>{1}) << line;
+        EXPECT_TRUE(failure.text.starts_with("line 14: ")) << failure.text;
+    }
+    EXPECT_EQ(failure_of([] { parse_msh(one("1 3 0 1 4 10 3 900 1\n", 1)); }).fault, Fault::range);
+    EXPECT_EQ(failure_of([] { parse_msh(one("1 1 0 1 2 10 0\n", 1)); }).fault, Fault::range);
+}
+
+TEST(Msh, NamesTheLineOfVersion1ThatIsMalformed) {
+    const std::string quad = "1 3 0 1 4 10 3 900 4\n";
+    const std::string nodes = "$NOD\n2\n1 0 0 0\n";
+    struct {
+        std::string text, place;
+    } const cases[] = {{one("1 3 0 1 3 10 3 900\n", 1), "line 13"},
+                       {one("1 3 0 1 5 10 3 900 4 5\n", 1), "line 13"},
+                       {one("1 1 0 1 3 10 3 900\n", 1), "line 13"},
+                       {one("1 3 0 1 4 10 3 900 4 5\n", 1), "line 13"},
+                       {one("1 3 0 1 4 10 3 900\n", 1), "line 14"},
+                       {one("1 3 0 x 4 10 3 900 4\n", 1), "line 13"},
+                       {one(quad, 2), "line 14"},
+                       {one(quad, 0), "line 13"},
+                       {one(quad, -1), "line 12"},
+                       {one_nodes + "$ELM\n100000000000\n" + quad, "line 12"},
+                       {one(quad, 1) + "$ELM\n", "line 15"},
+                       {one(quad, 1) + one_nodes, "line 15"},
+                       {one(quad, 1) + "$VIEW\n1\n", "line 16"},
+                       {one(quad, 1) + "$ENDELM\n", "line 15"},
+                       {nodes + "1 1 1 1\n$ENDNOD\n", "line 5"},
+                       {nodes + "2 1 1 1\n$EndNodes\n", "line 5"},
+                       {nodes + "2 1 1\n$ENDNOD\n", "line 5"},
+                       {"$NOD\n100000000000\n1 0 0 0\n", "line 2"}};
+    for (const auto &damaged : cases) {
+        const Failure failure = failure_of([&] { parse_msh(damaged.text); });
+        EXPECT_EQ(failure.fault, Fault::format) << damaged.text;
+        EXPECT_TRUE(failure.text.starts_with(damaged.place + ":")) << damaged.text << failure.text;
+    }
+    const std::string all = one(quad, 1);
+    for (const char *end : {"$ENDNOD", "$ENDELM"}) {
+        std::string other = all;
+        other.replace(other.find(end), 7, "$EndNod");
+        EXPECT_EQ(failure_of([&] { parse_msh(other); }).fault, Fault::format) << end;
+    }
+    EXPECT_NE(failure_of([&] { parse_msh(all + "$ENDELM\n"); }).text.find("in place of a section"),
+              std::string::npos);
+    for (std::size_t end = all.find('\n'); end + 1 < all.size(); end = all.find('\n', end + 1))
+        EXPECT_EQ(failure_of([&] { parse_msh(std::string(all, 0, end)); }).fault, Fault::format) << end;
+    EXPECT_EQ(failure_of([] { parse_msh(one("1 3 99999999999 1 4 10 3 900 4\n", 1)); }).fault,
+              Fault::unsupported);
+}
+
 TEST(Msh, MarkersRoundTrip) {
     Arrays mesh = samples::grid(3, 3);
     mesh.face_marker = {1, 2, 0, -4, 5, 6, 7, 8, 2147483647};
@@ -100,8 +184,9 @@ TEST(Msh, RejectsWhatIsMalformed) {
           four_head + "$Nodes\n1 2 1 1\n2 1 0 1\n1\n0 0 0\n$EndNodes\n",
           std::string("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n1 1 1 1\n$EndNodes\n")})
         EXPECT_EQ(failure_of([&] { parse_msh(text); }).fault, Fault::format) << text;
-    for (const char *text : {"$MeshFormat\n2.2 1 8\n\1\n", "$MeshFormat\n4 0 8\n$EndMeshFormat\n",
-                             "$NOD\n0\n$ENDNOD\n", "$MeshFormat\n5.0 0 8\n$EndMeshFormat\n"})
+    for (const char *text :
+         {"$MeshFormat\n2.2 1 8\n\1\n", "$MeshFormat\n4 0 8\n$EndMeshFormat\n",
+          "$MeshFormat\n1.5 0 8\n$EndMeshFormat\n", "$MeshFormat\n5.0 0 8\n$EndMeshFormat\n"})
         EXPECT_EQ(failure_of([&] { parse_msh(text); }).fault, Fault::unsupported) << text;
 }
 
