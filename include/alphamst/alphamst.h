@@ -71,7 +71,7 @@ typedef int32_t amst_id;     /* number of a vertex, edge, face or patch */
 
 typedef struct amst_context amst_context; /* threads, callbacks, index base */
 typedef struct amst_options amst_options; /* numeric settings, all with defaults */
-typedef struct amst_mesh amst_mesh;       /* quad mesh with flags and savepoints */
+typedef struct amst_mesh amst_mesh;       /* quad mesh with flags, fields, savepoints */
 typedef struct amst_patches amst_patches; /* disjoint face regions of one mesh */
 typedef struct amst_report amst_report;   /* what one operation did */
 
@@ -85,7 +85,7 @@ enum amst_status_code {
     AMST_ERR_UNSUPPORTED = -13, /* file variant, or a curved patch: not in this version */
     AMST_ERR_FORMAT = -12,      /* file is malformed */
     AMST_ERR_IO = -11,          /* file cannot be opened, read or written */
-    AMST_ERR_NOT_FOUND = -10,   /* no such key or revision */
+    AMST_ERR_NOT_FOUND = -10,   /* no such key, revision or field */
     AMST_ERR_STALE = -9,        /* patches or report of an older revision */
     AMST_ERR_PATCH = -8,        /* patch is not a usable disk, see defects */
     AMST_ERR_NO_FILLING = -17,  /* no filling with the wanted faces was found; patch as before */
@@ -119,6 +119,16 @@ enum amst_flag {
     AMST_FLAG_MAX = 0x7fffffff
 };
 
+/* How a field follows the mesh through an operation, see amst_mesh_set_field. */
+enum amst_carry {
+    AMST_CARRY_INVALID = -1,
+    AMST_CARRY_DROP = 0,     /* removed when connectivity changes */
+    AMST_CARRY_INHERIT = 1,  /* value of the nearest entity that was replaced */
+    AMST_CARRY_LINEAR = 2,   /* interpolated linearly; vertices */
+    AMST_CARRY_CONSERVE = 3, /* averaged by area, integral kept; faces */
+    AMST_CARRY_MAX = 0x7fffffff
+};
+
 /* Bits reported by amst_patches_check. */
 enum amst_defect {
     AMST_DEFECT_INVALID = -1,
@@ -136,8 +146,11 @@ enum amst_defect {
 
 enum amst_decomposition {
     AMST_DECOMPOSE_INVALID = -1,
-    AMST_DECOMPOSE_CLUSTERS = 0,  /* compact face clusters (Lloyd) */
-    AMST_DECOMPOSE_PARTITION = 1, /* balanced graph partition (METIS) */
+    AMST_DECOMPOSE_CLUSTERS = 0,      /* compact face clusters (Lloyd) */
+    AMST_DECOMPOSE_PARTITION = 1,     /* balanced graph partition (METIS) */
+    AMST_DECOMPOSE_VORONOI = 2,       /* geodesic Voronoi cells of faces far from one another */
+    AMST_DECOMPOSE_MEDIAL = 3,        /* discs: faces within the largest inscribed circles */
+    AMST_DECOMPOSE_SINGULARITIES = 4, /* faces around singular vertices that lie together */
     AMST_DECOMPOSE_MAX = 0x7fffffff
 };
 
@@ -297,18 +310,20 @@ AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
                                           const int64_t *faces, int64_t n_faces, int64_t face_stride,
                                           int64_t corner_stride, int32_t corners_per_face,
                                           const amst_options *options, amst_mesh **out);
-/* Format by extension: .off .obj .ply .msh (Gmsh 2.2 and 4.1 ASCII) .vtk (legacy);
- * path is UTF-8. dim is 2 when every z is 0. Region numbers of faces and boundary
- * numbers of edges in .msh and .vtk files are kept and written again; borders of
- * regions and numbered edges act as FEATURE.
+/* Format by extension: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII) .su2 .vtk
+ * (legacy); path is UTF-8. dim is 2 when every z is 0. Region numbers of faces and
+ * boundary numbers of edges in .msh and .vtk files are kept and written again; the
+ * boundaries of a .su2 file, which have names, get the numbers 1, 2, ... in the order
+ * of the file, and its clockwise faces are turned over. Borders of regions and numbered edges act as FEATURE.
  * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of
  * amst_mesh_create. */
 AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                                     amst_mesh **out);
-/* The same formats and .svg, a picture with the singularities marked. A failure
- * leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
+/* The same formats without .su2 (.msh is Gmsh 2.2), and .svg, a picture with the
+ * singularities marked. A failure leaves no half-written file.
+ * Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
-/* A mesh of its own, with flags and revision, without savepoints. */
+/* A mesh of its own, with flags, fields and revision, without savepoints. */
 AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
 AMST_API void amst_mesh_destroy(amst_mesh *mesh);
 
@@ -348,7 +363,7 @@ AMST_API amst_status amst_mesh_get_singularities(const amst_mesh *mesh, amst_id 
  * flat. The first fault is in amst_last_error_where. */
 AMST_API amst_status amst_mesh_check(const amst_mesh *mesh);
 /* 64-bit digest of coordinates, connectivity, flags and markers; equal meshes,
- * equal digest. */
+ * equal digest. Fields are not in it. */
 AMST_API amst_status amst_mesh_get_checksum(const amst_mesh *mesh, int64_t *digest);
 
 /* -------------------------------------------------------------------- flags */
@@ -362,11 +377,42 @@ AMST_API amst_status amst_mesh_set_flags(amst_mesh *mesh, int32_t entity, const 
 AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, int32_t *out,
                                          int64_t capacity, int64_t *needed);
 
+/* ------------------------------------------------------------------- fields */
+/* Named reals on every vertex, edge or face, [count][components], at most one field of
+ * a name on each kind of entity. They are part of the mesh as its flags are, but not of
+ * files. An operation keeps the values of the entities that it keeps, bit for bit, and
+ * gives new ones values by the carry rule out of the faces that it replaced or whose
+ * shape it changed:
+ *  DROP      the field is removed by an operation that changes connectivity.
+ *  INHERIT   the value of the nearest entity at those faces, measured between points,
+ *            midpoints of edges and centroids of faces; the smallest id of several.
+ *  LINEAR    for vertices: interpolated in the triangles of those faces at the nearest
+ *            point of them. Where they are plane, linear functions are reproduced.
+ *  CONSERVE  for faces: what the face covers of those faces, averaged by area. The sum of
+ *            value * AMST_METRIC_AREA stays the same over each connected set of them; so a
+ *            face that was kept but changed its shape gets a new value, too.
+ * No rule leaves the range of the values it takes from, but for CONSERVE on curved faces.
+ * A vertex that moves keeps its values, as in amst_mesh_set_points, which leaves all
+ * fields as they are. Names are UTF-8. The library reads "size" (vertices, 1 component):
+ * the wanted edge length, above 0. */
+
+/* A new field, or a new one in the place of the old; n is the number of vertices, edges
+ * or faces. The revision stays. Errors: ARGUMENT (entity, name empty, carry, carry not
+ * for this entity), RANGE (components < 1, n, "size" not above 0 or of more components),
+ * NOT_FINITE. */
+AMST_API amst_status amst_mesh_set_field(amst_mesh *mesh, int32_t entity, const char *name,
+                                         int32_t components, int32_t carry, const double *values, int64_t n);
+/* [count][components]. Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
+AMST_API amst_status amst_mesh_get_field(const amst_mesh *mesh, int32_t entity, const char *name, double *out,
+                                         int64_t capacity, int64_t *needed);
+/* Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
+AMST_API amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, const char *name);
+
 /* ------------------------------------------------------------------ undoing */
 
-/* Remember the mesh: points, connectivity, flags. Savepoints nest. revision names the
- * savepoint; of several with one name the latest is meant. Memory is taken only when
- * the mesh changes. */
+/* Remember the mesh: points, connectivity, flags, fields. Savepoints nest. revision
+ * names the savepoint; of several with one name the latest is meant. Memory is taken
+ * only when the mesh changes. */
 AMST_API amst_status amst_mesh_mark(amst_mesh *mesh, int64_t *revision);
 /* Back to a savepoint, which stays; later ones are forgotten. Patch sets of its
  * revision are current again. Errors: NOT_FOUND. */
@@ -404,7 +450,17 @@ AMST_API amst_status amst_patches_add_ball(amst_patches *patches, const double c
 AMST_API amst_status amst_patches_add_box(amst_patches *patches, const double low[3], const double high[3],
                                           amst_id *patch);
 /* Automatic patches of about AMST_OPT_PATCH_FACES faces over the faces not yet taken,
- * by a method of amst_decomposition. added, the number of new patches, may be NULL.
+ * by a method of amst_decomposition. added, the number of new patches, may be NULL; it
+ * can be 0. CLUSTERS, PARTITION and VORONOI cover the faces but for some that no disk
+ * could hold. Without randomness: MEDIAL, but see below, and SINGULARITIES.
+ *
+ * MEDIAL: circles bounded by the mesh boundary, flags, markers, taken faces and the discs
+ * before, the largest first. A disc has AMST_OPT_PATCH_FACES faces, the innermost, where
+ * more fit, and at least a quarter of that; what is left between discs gets no patch.
+ * Where nothing bounds the faces, as on a closed surface, the first disc is around a face
+ * that AMST_OPT_SEED chooses and each later one as far as can be from those before.
+ * SINGULARITIES: singular vertices share a patch where one can hold them; each away from
+ * boundary, flags, markers and taken faces is in a patch, faces far from all are in none.
  * Errors: ARGUMENT (method). */
 AMST_API amst_status amst_patches_decompose(amst_patches *patches, int32_t method, int64_t *added);
 /* 3 to 6 boundary vertices in boundary order, counter-clockwise; n = 0 lets the
@@ -451,10 +507,18 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * Errors: ARGUMENT (patches of another mesh), STALE, STATE, CANCELLED. */
 
 /* Replace each patch by its alpha template. alpha > 0 is for the patches that have
- * none of their own. Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
+ * none of their own. patches NULL: the whole mesh, with disks that the library
+ * chooses, grows and moves over it (windows), down to as few singular vertices as it
+ * can; the boundary stays vertex for vertex, and the faces are round(alpha * faces),
+ * or the result is AMST_PARTIAL. A vertex field "size" says where they go; without it
+ * they go where the faces were. Same mesh, options and seed, same result, on any
+ * number of threads. Errors: ARGUMENT (alpha <= 0), NOT_FINITE, UNSUPPORTED (whole
+ * mesh that is no plane). */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);
-/* Replace each patch by its minimum singularity template, boundary kept. */
+/* Replace each patch by its minimum singularity template, boundary kept. patches
+ * NULL: the whole mesh, as amst_adapt does with alpha 1, but for the exact number of
+ * faces, which stays within a few percent. Errors: UNSUPPORTED as there. */
 AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches,
                                                const amst_options *options, amst_report **report);
 /* Move interior vertices of the patches, or of the mesh if patches is NULL; flagged

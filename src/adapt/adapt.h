@@ -21,6 +21,8 @@ namespace alphamst::adapt {
 struct Settings {
     std::uint64_t seed = 0;
     int smooth_steps = 20;
+    bool patient = true;            // false: a filling that does not come right soon is left
+    double least_area = 0.005;      // see geometry::EmbedOptions
     int candidates = 16;            // fillings to try in a patch before it is left
     std::int64_t node_limit = 1000; // effort of one exact search
     double min_quality = 0;         // a filling must have a larger scaled Jacobian
@@ -60,6 +62,12 @@ std::vector<Outcome> adapt(mesh::QuadMesh &mesh, std::vector<Region> &patches, d
 // count as near to the old one as that allows.
 std::vector<Outcome> reduce_singularities(mesh::QuadMesh &mesh, std::vector<Region> &patches,
                                           const Settings &settings, const Progress &progress);
+
+// The same for a whole mesh in a plane, with windows that the library chooses. adapt delivers
+// round(alpha * faces) faces; a vertex field "size" says where they go, else they go where the faces
+// were. reduce_singularities keeps the count within a few percent.
+Outcome adapt_whole(mesh::QuadMesh &mesh, double alpha, const Settings &settings, const Progress &progress);
+Outcome reduce_whole(mesh::QuadMesh &mesh, const Settings &settings, const Progress &progress);
 
 // Moves the vertices inside the face sets, or of the whole mesh when patches is null; vertices on the
 // mesh boundary and flagged ones stay. One outcome per patch, or one for the mesh.

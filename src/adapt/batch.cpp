@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
+
+#include "adapt/workers.h"
 
 namespace alphamst::adapt {
 namespace {
@@ -83,17 +81,6 @@ std::vector<std::size_t> independent(const mesh::QuadMesh &mesh, const std::vect
     return batch;
 }
 
-// Asked for more than the cores or than the program allows, TBB prints a warning.
-int concurrency(int threads) {
-    if (threads == 1)
-        return 1; // without a word to TBB, which never ends where it finds no memory to begin
-    const std::size_t allowed =
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    const int most =
-        std::min(tbb::info::default_concurrency(), static_cast<int>(std::min<std::size_t>(allowed, 4096)));
-    return threads == 0 ? most : std::min(threads, most);
-}
-
 } // namespace
 
 std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, const Settings &settings,
@@ -103,8 +90,8 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
     std::vector<std::size_t> waiting(patches.size());
     std::iota(waiting.begin(), waiting.end(), std::size_t{0});
     Numbers numbers(mesh, patches);
-    tbb::task_arena arena(concurrency(settings.threads));
-    const std::size_t round = 8 * static_cast<std::size_t>(std::max(1, arena.max_concurrency()));
+    const Workers workers(settings.threads);
+    const std::size_t round = 8 * static_cast<std::size_t>(workers.count());
     std::size_t done = 0;
     while (!waiting.empty()) {
         const std::vector<std::size_t> batch = independent(mesh, patches, waiting);
@@ -119,11 +106,7 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
                     corner = numbers.vertex(corner);
                 proposals[i] = propose(mesh, region, goal(region), settings);
             };
-            if (settings.threads == 1 || proposals.size() == 1)
-                for (std::size_t i = 0; i < proposals.size(); ++i)
-                    propose_one(i);
-            else
-                arena.execute([&] { tbb::parallel_for(std::size_t{0}, proposals.size(), propose_one); });
+            workers.run(proposals.size(), propose_one);
             for (std::size_t i = 0; i < proposals.size(); ++i, ++done) {
                 Proposal &proposal = proposals[i];
                 const std::size_t p = batch[first + i];

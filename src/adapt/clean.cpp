@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "adapt/propose.h"
+#include "adapt/tally.h"
 #include "geometry/embed.h"
 #include "patch/patches.h"
 
@@ -59,26 +60,11 @@ bool refill_around(mesh::QuadMesh &mesh, int v, const Settings &settings) {
     return false;
 }
 
-void count(const mesh::QuadMesh &mesh, std::map<int, std::int64_t> &valences, std::int64_t &singular) {
-    for (int v = 0; v < mesh.n_vertices(); ++v) {
-        if (mesh.isolated(v) || mesh.on_boundary(v))
-            continue;
-        const int valence = mesh.valence(v);
-        ++valences[valence];
-        singular += valence != 4;
-    }
-}
-
 double quality(const mesh::QuadMesh &mesh) {
     if (mesh.dim() != 2)
         return 0;
-    geometry::Points points;
-    std::vector<std::array<int, 4>> quads;
-    for (int v = 0; v < mesh.n_vertices(); ++v)
-        points.emplace_back(mesh.point(v)[0], mesh.point(v)[1]);
-    for (int f = 0; f < mesh.n_faces(); ++f)
-        quads.push_back(mesh.corners(f));
-    return geometry::judge(quads, std::move(points)).min_scaled_jacobian;
+    return geometry::judge(mesh.faces(), flatten(mesh, geometry::Plane::of_coordinates(false)))
+        .min_scaled_jacobian;
 }
 
 } // namespace

@@ -77,6 +77,8 @@ std::map<int, std::int64_t> Site::valences(const fill::Filling &filling) const {
 geometry::Embedding Site::embed(const Shape &shape) const {
     geometry::EmbedOptions options;
     options.steps = settings_.smooth_steps;
+    options.patient = settings_.patient;
+    options.least_area = settings_.least_area;
     const fill::Filling &filling = shape.filling;
     if (!shape.positions.empty()) {
         std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
@@ -91,10 +93,8 @@ geometry::Embedding Site::embed(const Shape &shape) const {
 
 std::vector<OpenMesh::Vec3d> Site::lift(const geometry::Points &positions) const {
     std::vector<OpenMesh::Vec3d> points;
-    for (std::size_t v = window.loop.size(); v < positions.size(); ++v) {
-        const Eigen::Vector3d p = plane_.to_space(positions[v]);
-        points.emplace_back(p.x(), p.y(), mesh_.dim() == 2 ? 0.0 : p.z());
-    }
+    for (std::size_t v = window.loop.size(); v < positions.size(); ++v)
+        points.push_back(lift(positions[v]));
     return points;
 }
 
@@ -109,7 +109,10 @@ fill::Request Site::request() const {
     request.faces = goal_.faces;
     request.any_count = goal_.any_count;
     if (goal_.keep_quality)
-        request.fewer_than = old_singular_all_; // for no more than that the present one stays
+        request.fewer_than = old_singular_all; // for no more than that the present one stays
+    request.fewer_than = std::min(request.fewer_than, old_singular_all + 1 + goal_.most_added);
+    request.fewest = goal_.fewest;
+    request.most_faces = goal_.most;
     request.most = settings_.candidates;
     // Where the present filling is an answer, three plans share the effort.
     request.node_limit = goal_.keep_quality ? settings_.node_limit / 3 : settings_.node_limit;
@@ -177,12 +180,36 @@ void Site::read_old_filling() {
         old.quads.push_back(
             {local.at(corners[0]), local.at(corners[1]), local.at(corners[2]), local.at(corners[3])});
     }
-    const geometry::Embedding judged = geometry::judge(old.quads, old_positions_);
-    old_quality = judged.min_scaled_jacobian;
-    for (const auto &[valence, count] : valences(old))
-        old_singular_all_ += valence != 4 ? static_cast<int>(count) : 0;
-    for (std::size_t i = 0; i < window.loop.size(); ++i)
-        old_singular_all_ += mesh_.on_boundary(window.loop[i]) && window.inside[i] != regular_[i];
+    old_embedding = geometry::judge(old.quads, old_positions_);
+    old_quality = old_embedding.min_scaled_jacobian;
+    old_singular_all = singular_all(old);
+}
+
+int Site::singular_all(const fill::Filling &filling) const {
+    std::vector<int> faces(static_cast<std::size_t>(filling.vertices), 0);
+    for (const auto &quad : filling.quads)
+        for (const int v : quad)
+            ++faces[static_cast<std::size_t>(v)];
+    int sum = 0;
+    for (std::size_t v = 0; v < faces.size(); ++v)
+        if (v >= window.loop.size())
+            sum += faces[v] != 4;
+        else
+            sum += mesh_.on_boundary(window.loop[v]) ? faces[v] != regular_[v]
+                                                     : faces[v] + window.outside[v] != 4;
+    return sum;
+}
+
+geometry::Points Site::flat(std::span<const int> vertices) const {
+    geometry::Points positions;
+    for (const int v : vertices)
+        positions.push_back(plane_.to_plane(vector(mesh_.point(v))));
+    return positions;
+}
+
+OpenMesh::Vec3d Site::lift(const Eigen::Vector2d &position) const {
+    const Eigen::Vector3d p = plane_.to_space(position);
+    return {p.x(), p.y(), mesh_.dim() == 2 ? 0.0 : p.z()};
 }
 
 bool Site::inside(int edge) const {

@@ -53,11 +53,20 @@ public:
 
     geometry::Embedding embed(const Shape &shape) const;
 
+    // Those of the mesh boundary included.
+    int singular_all(const fill::Filling &filling) const;
+
+    // Points for the new vertices, or for one position.
     std::vector<OpenMesh::Vec3d> lift(const geometry::Points &positions) const;
+    OpenMesh::Vec3d lift(const Eigen::Vector2d &position) const;
+    // Any vertices of the mesh in the plane of the patch.
+    geometry::Points flat(std::span<const int> vertices) const;
 
     patch::Window window;
     fill::Filling old;
     double old_quality = 0;
+    geometry::Embedding old_embedding;
+    int old_singular_all = 0; // those of the mesh boundary included
 
 private:
     struct Inner;
@@ -97,7 +106,6 @@ private:
     geometry::Plane plane_;
     geometry::Points old_positions_; // loop, then interior
     std::vector<double> angles_;     // of the loop
-    int old_singular_all_ = 0;       // and mismatches on the mesh boundary
     double least_sine_ = 0;
     bool corners_given_ = false;
     std::unordered_map<int, int> local_; // vertex of the mesh -> of old

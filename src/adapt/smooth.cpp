@@ -7,27 +7,10 @@
 #include "adapt/adapt.h"
 #include "geometry/embed.h"
 #include "geometry/plane.h"
+#include "patch/region.h"
 
 namespace alphamst::adapt {
 namespace {
-
-// A vertex that smoothing must not move wherever it lies: flagged, or on an edge that
-// is flagged, numbered or between two regions.
-bool pinned(const mesh::QuadMesh &mesh, int v) {
-    if (mesh.on_boundary(v) || mesh.vertex_flags[static_cast<std::size_t>(v)] != 0)
-        return true;
-    for (const int w : mesh.vertices_around(v)) {
-        const auto e = static_cast<std::size_t>(mesh.find_edge(v, w));
-        if (mesh.edge_flags[e] != 0 || (!mesh.edge_marker.empty() && mesh.edge_marker[e] != 0))
-            return true;
-    }
-    const std::vector<int> faces = mesh.faces_around(v);
-    return std::any_of(faces.begin(), faces.end(), [&](int f) {
-        const auto at = static_cast<std::size_t>(f), first = static_cast<std::size_t>(faces[0]);
-        return (mesh.face_flags[at] & mesh::fixed) != 0 ||
-               (!mesh.face_marker.empty() && mesh.face_marker[at] != mesh.face_marker[first]);
-    });
-}
 
 Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const Settings &settings) {
     const auto start = std::chrono::steady_clock::now();
@@ -56,7 +39,7 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const int v = vertices[i];
         const int valence = mesh.valence(v);
-        fixed.push_back(inside[i] != valence || pinned(mesh, v));
+        fixed.push_back(inside[i] != valence || patch::pinned(mesh, v));
         const auto &p = mesh.point(v);
         points.emplace_back(p[0], p[1], p[2]);
         if (mesh.on_boundary(v))

@@ -31,7 +31,7 @@ struct Site::Inner {
             for (std::size_t k = 0; k < 4; ++k)
                 rim.quads.back()[k] = renamed(site.old.quads[q][k]);
         }
-        singular_outside = site.old_singular_all_;
+        singular_outside = site.old_singular_all;
         for (const auto *list : {&window.loop, &window.interior})
             for (const int v : *list)
                 singular_outside -= site.mesh_.singular(v);
@@ -79,7 +79,7 @@ std::optional<Site::Offer> Site::present() const {
     const auto faces = static_cast<std::int64_t>(old.quads.size());
     if (goal_.forbid_old || (!goal_.any_count && goal_.faces != faces))
         return std::nullopt;
-    return Offer{faces, old_singular_all_, [this] { return Shape{old, old_positions_}; }};
+    return Offer{faces, old_singular_all, [this] { return Shape{old, old_positions_}; }};
 }
 
 bool Site::ragged() const {

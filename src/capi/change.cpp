@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "adapt/carry.h"
 #include "capi/guard.h"
 
 namespace alphamst::capi {
@@ -14,16 +15,6 @@ void tell(Context &context, double fraction, const char *stage) {
         context.progress != nullptr && context.progress(context.progress_user, fraction, stage) != 0;
     if (stop || context.cancel.load())
         throw Failure(Fault::cancelled, "the operation was cancelled");
-}
-
-// Whether faces or edges are not all where they were when origins were last reset.
-bool reconnected(const mesh::QuadMesh &before, const mesh::QuadMesh &after) {
-    if (before.n_faces() != after.n_faces() || before.n_edges() != after.n_edges())
-        return true;
-    for (std::size_t f = 0; f < after.face_origin.size(); ++f)
-        if (after.face_origin[f] != static_cast<std::int32_t>(f))
-            return true;
-    return false;
 }
 
 std::map<int, std::int64_t> valences(const mesh::QuadMesh &mesh) {
@@ -147,6 +138,7 @@ void Change::log(const std::vector<adapt::Outcome> &outcomes, const Report &repo
 }
 
 amst_status Change::finish(const std::vector<adapt::Outcome> &outcomes, bool exact, amst_report **report) {
+    adapt::carry(*mesh_->current, *copy_, progress_);
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
     if (report != nullptr)
         describe_meshes(made->impl);
@@ -160,7 +152,7 @@ amst_status Change::finish(const std::vector<adapt::Outcome> &outcomes, bool exa
 }
 
 void Change::commit() noexcept {
-    const bool changed = reconnected(*mesh_->current, *copy_);
+    const bool changed = adapt::reconnected(*mesh_->current, *copy_);
     mesh_->current = std::move(copy_);
     if (!changed)
         return;

@@ -11,13 +11,16 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
                        amst_report **report) {
     return guarded(index_base(mesh), [&] {
         required(mesh, "mesh");
-        required(patches, "patches");
         require_real(alpha, 0, true, "alpha");
         const Options chosen = options_of(options);
         Change change("adapt", *mesh, patches);
         const adapt::Settings settings = settings_of(chosen, change.threads());
-        return change.finish(
-            adapt::adapt(change.mesh(), change.regions(), alpha, settings, change.progress()), true, report);
+        std::vector<adapt::Outcome> outcomes;
+        if (patches == nullptr)
+            outcomes = {adapt::adapt_whole(change.mesh(), alpha, settings, change.progress())};
+        else
+            outcomes = adapt::adapt(change.mesh(), change.regions(), alpha, settings, change.progress());
+        return change.finish(outcomes, true, report);
     });
 }
 
@@ -25,13 +28,16 @@ amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches, co
                                       amst_report **report) {
     return guarded(index_base(mesh), [&] {
         required(mesh, "mesh");
-        required(patches, "patches");
         const Options chosen = options_of(options);
         Change change("reduce_singularities", *mesh, patches);
         const adapt::Settings settings = settings_of(chosen, change.threads());
-        return change.finish(
-            adapt::reduce_singularities(change.mesh(), change.regions(), settings, change.progress()), false,
-            report);
+        std::vector<adapt::Outcome> outcomes;
+        if (patches == nullptr)
+            outcomes = {adapt::reduce_whole(change.mesh(), settings, change.progress())};
+        else
+            outcomes =
+                adapt::reduce_singularities(change.mesh(), change.regions(), settings, change.progress());
+        return change.finish(outcomes, false, report);
     });
 }
 

@@ -61,6 +61,10 @@ void add(Patches &patches, Faces faces, const std::vector<char> &taken, amst_id 
         *patch = out(patches.mesh->context->index_base, static_cast<int>(patches.regions.size()) - 1);
 }
 
+// By the numbers of enum amst_decomposition.
+constexpr std::array decompositions = {patch::clusters, patch::partition, patch::voronoi_cells,
+                                       patch::medial_discs, patch::singularity_clusters};
+
 std::array<double, 3> place(const double *components, const char *name) {
     required(components, name);
     for (int c = 0; c < 3; ++c)
@@ -158,10 +162,10 @@ amst_status amst_patches_add_box(amst_patches *patches, const double low[3], con
 amst_status amst_patches_decompose(amst_patches *patches, std::int32_t method, std::int64_t *added) {
     return guarded(index_base(patches), [&] {
         Patches &set = changeable(patches);
-        if (method != AMST_DECOMPOSE_CLUSTERS && method != AMST_DECOMPOSE_PARTITION)
+        if (method < 0 || method >= static_cast<std::int32_t>(decompositions.size()))
             throw Failure(Fault::argument, "there is no decomposition method " + std::to_string(method));
         const std::vector<char> others = taken(set);
-        const auto decompose = method == AMST_DECOMPOSE_CLUSTERS ? patch::clusters : patch::partition;
+        const auto decompose = decompositions[static_cast<std::size_t>(method)];
         std::vector<Faces> parts = decompose(*set.mesh->current, set.options.patch_faces,
                                              static_cast<std::uint64_t>(set.options.seed), others);
         std::erase_if(parts, [](const Faces &part) { return part.empty(); });

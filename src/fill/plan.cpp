@@ -74,8 +74,16 @@ private:
     void try_polygon(const Reading &option, int singularities, std::vector<Candidate> &group);
     void try_flat(const Reading &option, int singularities, std::vector<Candidate> &group);
 
-    std::int64_t lowest() const { return request_.any_count ? request_.faces / 2 : request_.faces - slack_; }
-    std::int64_t highest() const { return request_.any_count ? 2 * request_.faces : request_.faces + slack_; }
+    std::int64_t lowest() const {
+        if (!request_.any_count)
+            return request_.faces - slack_;
+        return request_.fewest > 0 ? request_.fewest : request_.faces / 2;
+    }
+    std::int64_t highest() const {
+        if (!request_.any_count)
+            return request_.faces + slack_;
+        return request_.most_faces > 0 ? request_.most_faces : 2 * request_.faces;
+    }
 
     const Request request_;
     Readings readings_;
@@ -122,7 +130,8 @@ std::vector<Candidate> Plan::Search::exact_fillings(int best) {
     std::vector<Candidate> group;
     const int length = static_cast<int>(request_.word.size());
     const std::int64_t most = std::min<std::int64_t>(
-        most_faces, request_.any_count ? request_.faces + request_.faces / 2 : request_.faces);
+        most_faces,
+        request_.any_count ? std::min(highest(), request_.faces + request_.faces / 2) : request_.faces);
     if (length > 40 || request_.faces > most ||
         *std::max_element(request_.word.begin(), request_.word.end()) > 4 || request_.node_limit <= 0)
         return group;
@@ -138,7 +147,7 @@ std::vector<Candidate> Plan::Search::exact_fillings(int best) {
             const int v3 = (k + excess) / 2, v5 = (k - excess) / 2;
             const FaceSet counts = filler.faces(request_.word, v3, v5, static_cast<int>(most));
             std::int64_t nearest = -1;
-            for (std::int64_t f = 1; f <= most; ++f)
+            for (std::int64_t f = std::max<std::int64_t>(1, request_.fewest); f <= most; ++f)
                 if (counts[static_cast<std::size_t>(f)] &&
                     (nearest < 0 || std::abs(f - request_.faces) < std::abs(nearest - request_.faces)))
                     nearest = f;

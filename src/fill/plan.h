@@ -18,6 +18,8 @@ struct Request {
     double least_sine = 0;      // of the angle that each face at a boundary vertex gets
     std::int64_t faces = 0;     // wanted
     bool any_count = false;     // fewest singularities first, faces only as near as possible
+    std::int64_t fewest = 0;    // any_count: faces in this range; 0: from half to twice as many
+    std::int64_t most_faces = 0;
     std::int64_t tolerance = 2; // largest miss that is still offered when the count is not free
     int fewer_than = 1 << 20;   // singularities
     int most = 16;              // candidates

@@ -15,6 +15,8 @@ namespace {
 using Eigen::Vector2d;
 using Loop = std::span<const Vector2d>;
 
+constexpr int hasty_sweeps = 20;
+
 double enclosed_area(Loop loop) {
     double twice = 0;
     for (std::size_t i = 0; i < loop.size(); ++i)
@@ -49,12 +51,14 @@ bool start_from_circle(const Tutte &tutte, Loop loop, Points &points) {
 }
 
 // Where it fails, stuck is the quad that resisted most, if few did.
-bool find_valid(const Problem &problem, Loop loop, Points &points, int sweeps, int &stuck) {
+bool find_valid(const Problem &problem, Loop loop, Points &points, const EmbedOptions &options, int &stuck) {
+    const int sweeps =
+        options.patient ? options.untangle_sweeps : std::min(options.untangle_sweeps, hasty_sweeps);
     const Tutte tutte(problem.stars, problem.fixed);
     if (!tutte.solve(points))
         return false;
     std::ptrdiff_t effort = untangling_effort(problem);
-    if (untangle(problem, points, sweeps, effort))
+    if (untangle(problem, points, sweeps, effort, options.patient))
         return true;
     // Another start helps where all is in disorder, not a few quads.
     const std::vector<int> bad = tangled(problem, points);
@@ -63,7 +67,7 @@ bool find_valid(const Problem &problem, Loop loop, Points &points, int sweeps, i
         return false;
     }
     Points other = points;
-    if (!start_from_circle(tutte, loop, other) || !untangle(problem, other, sweeps, effort))
+    if (!start_from_circle(tutte, loop, other) || !untangle(problem, other, sweeps, effort, options.patient))
         return false;
     points = std::move(other);
     return true;
@@ -94,7 +98,7 @@ Embedding embed(Quads quads, int boundary, int vertices, Loop loop, const EmbedO
     const std::vector<double> wanted(quads.size(), 1.0);
     const Problem problem{quads, stars, fixed, wanted};
     int stuck = -1;
-    if (find_valid(problem, unit_loop, points, options.untangle_sweeps, stuck))
+    if (find_valid(problem, unit_loop, points, options, stuck))
         optimise(problem, points, options, 0);
 
     for (Vector2d &p : points)

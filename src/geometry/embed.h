@@ -22,14 +22,19 @@ struct Embedding {
     Points positions;           // all vertices; the first `boundary` equal the loop
     double min_determinant = 0; // smallest corner determinant (signed area of the corner)
     double min_scaled_jacobian = 0;
-    bool valid = false; // every corner determinant is positive
-    int stuck = -1;     // where it is not: the quad that resisted most, if few did
+    double min_shape = 0; // Verdict's: 1 for a square, falls as quads get thin, too
+    int poor = 0;         // quads with an angle outside 45 to 135 degrees or a shape below 0.3
+    bool valid = false;   // every corner determinant is positive
+    int stuck = -1;       // where it is not: the quad that resisted most, if few did
 };
 
 struct EmbedOptions {
-    int steps = 20;            // sweeps of shape optimisation after untangling
-    int untangle_sweeps = 200; // give up afterwards
-    double good_enough = 0;    // stop optimising once min scaled Jacobian is at least this; 0: never
+    int steps = 20;                    // sweeps of shape optimisation after untangling
+    int untangle_sweeps = 200;         // give up afterwards
+    bool patient = true;               // false: untangle only what comes right soon
+    double least_area = 0.005;         // of a corner, over the wanted one, that the smallest angles may cost
+    double good_enough = 0;            // stop optimising once min scaled Jacobian is at least this; 0: never
+    std::span<const double> area = {}; // improve: [quad] wanted; empty: all equal
 };
 
 // Tutte start -> move the loop to its place -> untangle (Garanzha et al. 2021) ->

@@ -19,7 +19,6 @@ constexpr std::size_t most_together = 60; // of more vertices at once none was s
 constexpr double poor_band = 0.15;        // corners up to this above the worst are sharpened with it
 constexpr double least_gain = 2e-3;       // of the smallest scaled Jacobian in a round of sharpening
 constexpr int sharpen_sweeps = 3;         // in a round
-constexpr double least_area = 0.005;      // of a corner, over the wanted one, that sharpening makes
 
 // Smallest over the corners of a quad.
 struct Worst {
@@ -159,7 +158,7 @@ void sharpen_worst(const Problem &problem, Points &points, const EmbedOptions &o
             for (const int v : around)
                 if (const auto star = problem.stars.at(v); !star.empty())
                     sharpen(star, points, v, std::max(floor, worst * worst),
-                            least_area * problem.area[static_cast<std::size_t>(star[0].quad)]);
+                            options.least_area * problem.area[static_cast<std::size_t>(star[0].quad)]);
     }
 }
 
@@ -183,7 +182,8 @@ Embedding improve(Quads quads, std::span<const char> fixed, Points positions, co
                 2;
     if (!(area > 0) || !std::isfinite(area))
         return start;
-    const std::vector<double> wanted(quads.size(), area / static_cast<double>(quads.size()));
+    std::vector<double> wanted(options.area.begin(), options.area.end());
+    wanted.resize(quads.size(), area / static_cast<double>(quads.size()));
     const Stars stars(quads, static_cast<int>(start.positions.size()));
     const Problem problem{quads, stars, fixed, wanted};
     Points points = start.positions;

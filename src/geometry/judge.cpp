@@ -6,9 +6,16 @@
 
 namespace alphamst::geometry {
 
+namespace {
+
+// Verdict's ranges for the smallest angle and the shape.
+constexpr double acceptable_sine = 0.70710678, acceptable_shape = 0.3;
+
+} // namespace
+
 Embedding judge(Quads quads, Points positions) {
     Embedding result;
-    double determinant = std::numeric_limits<double>::infinity(), jacobian = 1;
+    double determinant = std::numeric_limits<double>::infinity(), jacobian = 1, shape = 1;
     for (const auto &quad : quads) {
         Eigen::Vector2d edge[4]; // from corner k to corner k+1
         double length[4];
@@ -17,19 +24,29 @@ Embedding judge(Quads quads, Points positions) {
                       positions[static_cast<std::size_t>(quad[k])];
             length[k] = edge[k].norm();
         }
+        double worst = 1, sine = 1;
         for (std::size_t k = 0; k < 4; ++k) {
             const std::size_t before = (k + 3) % 4;
             const double d = cross(edge[before], edge[k]), lengths = length[before] * length[k];
             // Not std::min: a NaN has to win.
             if (!(d >= determinant))
                 determinant = d;
-            if (const double s = lengths > 0 ? d / lengths : 0; !(s >= jacobian))
-                jacobian = s;
+            if (const double s = lengths > 0 ? d / lengths : 0; !(s >= sine))
+                sine = s;
+            const double squares = length[before] * length[before] + length[k] * length[k];
+            if (const double s = squares > 0 ? 2 * d / squares : 0; !(s >= worst))
+                worst = s;
         }
+        if (!(worst >= shape))
+            shape = worst;
+        if (!(sine >= jacobian))
+            jacobian = sine;
+        result.poor += !(sine >= acceptable_sine && worst >= acceptable_shape);
     }
     result.valid = determinant > 0 && jacobian > 0;
     result.min_determinant = quads.empty() ? 0 : determinant;
     result.min_scaled_jacobian = quads.empty() ? 0 : jacobian;
+    result.min_shape = quads.empty() ? 0 : shape;
     result.positions = std::move(positions);
     return result;
 }

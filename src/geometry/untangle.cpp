@@ -24,6 +24,8 @@ constexpr int most_layers = 64;
 
 constexpr int most_sweeps = 40; // Newton's method is faster from there
 
+constexpr std::size_t most_hasty = 8; // quads that Newton's method is to mend in haste
+
 // A corner of fixed vertices only is not positive.
 bool hopeless(const Problem &problem, std::span<const int> quads, const Points &points) {
     for (const int q : quads) {
@@ -87,7 +89,7 @@ std::ptrdiff_t untangling_effort(const Problem &problem) {
     return effort_per_quad * static_cast<std::ptrdiff_t>(problem.quads.size()) + least_effort;
 }
 
-bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t &effort) {
+bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t &effort, bool patient) {
     std::vector<int> bad = tangled(problem, points);
     if (bad.empty())
         return true;
@@ -97,6 +99,8 @@ bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t
         return true;
     const auto free = std::count(problem.fixed.begin(), problem.fixed.end(), char(0));
     bad = tangled(problem, points);
+    if (!patient && bad.size() > most_hasty)
+        return false;
     int layers = 4;
     while (layers < 64 && 2 * layers * layers < static_cast<int>(bad.size()))
         layers *= 2;
@@ -114,7 +118,7 @@ bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t
         bad = tangled(problem, points);
         const bool same = layers > 4 && !bad.empty() && bad.front() == worst &&
                           worst_determinant(problem, {&worst, 1}, points) < (1 - least_gain) * before;
-        if (size >= free || most < 1 || same)
+        if (size >= free || most < 1 || same || !patient)
             break;
     }
     return bad.empty();

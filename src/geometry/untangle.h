@@ -15,7 +15,9 @@ namespace alphamst::geometry {
 // The effort, in vertices times iterations of Newton's method, is at most `effort`, which is
 // lowered by what was spent: so the time is bounded by a multiple of the number of vertices also
 // where there is no solution.
-bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t &effort);
+// Unless `patient`, one narrow region is all that Newton's method gets.
+bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t &effort,
+              bool patient = true);
 
 // The quads with a corner that is not positive, the worst first.
 std::vector<int> tangled(const Problem &problem, const Points &points);

@@ -1,5 +1,5 @@
 // QuadMesh: a manifold, oriented all-quad mesh on OpenMesh's half-edge kernel, with
-// flags, markers and an origin for every entity. replace_disk is the only function
+// flags, markers, fields and an origin for every entity. replace_disk is the only function
 // that alters connectivity.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "failure.h"
+#include "mesh/field.h"
 
 namespace alphamst::mesh {
 
@@ -65,6 +66,15 @@ public:
     // Flags and markers, one per entity.
     std::vector<std::uint8_t> vertex_flags, edge_flags, face_flags; // bits of Flag
     std::vector<std::int32_t> edge_marker, face_marker;             // 0: none; empty: all none
+
+    // Not in the checksum. While origins say that something has changed, the values are still those of
+    // the mesh before: adapt::carry brings them along, once for an operation.
+    Fields fields;
+    // Values [entities][components] of a field, null if there is none of that name.
+    const std::vector<double> *field(Entity entity, std::string_view name) const noexcept {
+        const Field *found = fields.find(entity, name);
+        return found == nullptr ? nullptr : &found->values;
+    }
 
     // Where each vertex, edge and face was when origins were last reset; -1 if new.
     std::vector<std::int32_t> vertex_origin, edge_origin, face_origin;

@@ -28,11 +28,24 @@ std::vector<int> box(const mesh::QuadMesh &mesh, const std::array<double, 3> &lo
 // region border runs inside, keeps the largest side. May return an empty set.
 std::vector<int> repair(const mesh::QuadMesh &mesh, std::vector<int> faces, Taken taken);
 
-// Compact clusters of about `size` faces (Lloyd on the dual graph, seeded) / balanced
-// parts of about `size` faces (METIS k-way on the dual graph). Each is a repaired disk.
+// Decompositions: disjoint disks, repaired, of about `size` faces that are not taken.
+//
+// Compact clusters (Lloyd on the dual graph).
 std::vector<std::vector<int>> clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
                                        Taken taken);
+// Balanced parts (METIS k-way on the dual graph).
 std::vector<std::vector<int>> partition(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
                                         Taken taken);
+// Geodesic Voronoi cells of faces that lie far from one another.
+std::vector<std::vector<int>> voronoi_cells(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
+                                            Taken taken);
+// Faces within the largest inscribed circles, the largest first; `size` is the most, a quarter
+// of it the least. What bounds the free faces are the mesh boundary, flags, markers and taken
+// faces; where there is none the first circle is around a random face.
+std::vector<std::vector<int>> medial_discs(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
+                                           Taken taken);
+// Faces around singular vertices, around all that lie together; no others, and nothing random.
+std::vector<std::vector<int>> singularity_clusters(const mesh::QuadMesh &mesh, double size,
+                                                   std::uint64_t seed, Taken taken);
 
 } // namespace alphamst::patch

@@ -34,6 +34,9 @@ inline int right(const mesh::QuadMesh &mesh, Halfedge h) {
 // it have different markers. Whether a vertex may not be inside a patch.
 bool barrier(const mesh::QuadMesh &mesh, Halfedge h);
 bool held(const mesh::QuadMesh &mesh, int vertex);
+// A vertex that smoothing must not move wherever it lies: on the mesh boundary, flagged, at a
+// face that is FIXED, or on an edge that is flagged, numbered or between two regions.
+bool pinned(const mesh::QuadMesh &mesh, int vertex);
 
 struct Region {
     explicit Region(const mesh::QuadMesh &mesh, std::span<const int> faces);

@@ -231,7 +231,7 @@ static void bad_arguments_change_nothing(void **state) {
     refused(AMST_ERR_ARGUMENT, amst_adapt(mesh, set, -1, NULL, &report));
     refused(AMST_ERR_NOT_FINITE, amst_adapt(mesh, set, NAN, NULL, &report));
     refused(AMST_ERR_NOT_FINITE, amst_adapt(mesh, set, INFINITY, NULL, &report));
-    refused(AMST_ERR_NULL, amst_adapt(mesh, NULL, 2, NULL, &report));
+    refused(AMST_ERR_ARGUMENT, amst_adapt(mesh, NULL, 0, NULL, &report));
     refused(AMST_ERR_NULL, amst_adapt(NULL, set, 2, NULL, &report));
     assert_null(report);
     assert_true(checksum(mesh) == before);

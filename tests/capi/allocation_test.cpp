@@ -50,6 +50,7 @@ namespace {
 class Allocation : public testing::Test {
 protected:
     static constexpr int side = 8;
+    static constexpr const char *long_name = "a name too long for a string without memory";
 
     void SetUp() override {
         for (int j = 0; j <= side; ++j)
@@ -87,7 +88,13 @@ protected:
         amst_mesh_get_revision(mesh, &revision);
         amst_patches_get_count(set, &patches);
         amst_patches_get_faces(set, 0, nullptr, 0, &size);
-        return {digest, revision, patches, size};
+        std::vector<std::int64_t> told{digest, revision, patches, size};
+        for (const auto &[entity, name] : fields) {
+            std::int64_t n = -1;
+            amst_mesh_get_field(mesh, entity, name, nullptr, 0, &n);
+            told.push_back(n);
+        }
+        return told;
     }
 
     // Lets the first, second, ... allocation of call fail until it succeeds; of a call with
@@ -112,6 +119,8 @@ protected:
     std::vector<double> points;
     std::vector<std::int32_t> faces;
     std::vector<amst_id> square;
+    const std::vector<std::pair<std::int32_t, const char *>> fields{
+        {AMST_VERTEX, long_name}, {AMST_FACE, "faces"}, {AMST_EDGE, "edges"}, {AMST_VERTEX, "gone"}};
     amst_context *ctx = nullptr;
     amst_mesh *mesh = nullptr;
     amst_patches *set = nullptr;
@@ -150,6 +159,25 @@ TEST_F(Allocation, InAdding) {
     fail_each([&] { return amst_patches_add_faces(set, pair, 2, nullptr); });
     fail_each([&] { return amst_patches_add_ball(set, center, 1.2, nullptr); });
     fail_each([&] { return amst_patches_add_rings(set, 8, 1, nullptr); });
+}
+
+TEST_F(Allocation, InFields) {
+    const std::vector<double> values(2 * side * (side + 1), 1);
+    const auto set_field = [&](std::int32_t entity, const char *name, std::int32_t carry, std::int64_t n) {
+        return amst_mesh_set_field(mesh, entity, name, 1, carry, values.data(), n);
+    };
+    const std::int64_t n_vertices = (side + 1) * (side + 1), n_faces = side * side,
+                       n_edges = std::ssize(values);
+    fail_each([&] { return set_field(AMST_VERTEX, long_name, AMST_CARRY_LINEAR, n_vertices); });
+    ASSERT_EQ(set_field(AMST_FACE, "faces", AMST_CARRY_CONSERVE, n_faces), AMST_OK);
+    ASSERT_EQ(set_field(AMST_EDGE, "edges", AMST_CARRY_INHERIT, n_edges), AMST_OK);
+    ASSERT_EQ(set_field(AMST_VERTEX, "gone", AMST_CARRY_DROP, n_vertices), AMST_OK);
+    std::int64_t mark = 0;
+    ASSERT_EQ(amst_mesh_mark(mesh, &mark), AMST_OK);
+    fail_each([&] { return amst_mesh_remove_field(mesh, AMST_FACE, "faces"); });
+    ASSERT_EQ(amst_mesh_rollback(mesh, mark), AMST_OK);
+    fail_each([&] { return amst_adapt(mesh, set, 2, nullptr, nullptr); });
+    EXPECT_EQ(amst_mesh_rollback(mesh, mark), AMST_OK);
 }
 
 TEST_F(Allocation, InOperations) {

@@ -19,6 +19,7 @@ GETTER(singularities, amst_mesh_get_singularities(mesh, out, capacity, needed))
 GETTER(vertex_flags, amst_mesh_get_flags(mesh, AMST_VERTEX, out, capacity, needed))
 GETTER(edge_flags, amst_mesh_get_flags(mesh, AMST_EDGE, out, capacity, needed))
 GETTER(face_flags, amst_mesh_get_flags(mesh, AMST_FACE, out, capacity, needed))
+GETTER(field, amst_mesh_get_field(mesh, AMST_VERTEX, "a", out, capacity, needed))
 GETTER(quality, amst_mesh_get_quality(mesh, AMST_METRIC_SHAPE, out, capacity, needed))
 GETTER(patch_faces, amst_patches_get_faces(set, 0, out, capacity, needed))
 GETTER(patch_boundary, amst_patches_get_boundary(set, 0, out, capacity, needed))
@@ -79,6 +80,8 @@ static void every_getter(void **state) {
     follow_protocol(vertex_flags, sizeof(int32_t), 8);
     follow_protocol(edge_flags, sizeof(int32_t), 12);
     follow_protocol(face_flags, sizeof(int32_t), 6);
+    must(amst_mesh_set_field(mesh, AMST_VERTEX, "a", 3, AMST_CARRY_DROP, corners, 8));
+    follow_protocol(field, sizeof(double), 24);
     follow_protocol(quality, sizeof(double), 6);
     amst_mesh_destroy(mesh);
 

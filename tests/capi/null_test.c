@@ -107,6 +107,12 @@ static void meshes(void **state) {
     null("mesh", amst_mesh_get_checksum(NULL, &n));
     null("digest", amst_mesh_get_checksum(mesh, NULL));
     null("mesh", amst_mesh_set_flags(NULL, AMST_FACE, NULL, 0, 1, 1));
+    null("mesh", amst_mesh_set_field(NULL, AMST_VERTEX, "a", 1, AMST_CARRY_DROP, points, 49));
+    null("name", amst_mesh_set_field(mesh, AMST_VERTEX, NULL, 1, AMST_CARRY_DROP, points, 49));
+    null("values", amst_mesh_set_field(mesh, AMST_VERTEX, "a", 1, AMST_CARRY_DROP, NULL, 49));
+    null("name", amst_mesh_get_field(mesh, AMST_VERTEX, NULL, NULL, 0, &n));
+    null("mesh", amst_mesh_remove_field(NULL, AMST_VERTEX, "a"));
+    null("name", amst_mesh_remove_field(mesh, AMST_VERTEX, NULL));
     null("mesh", amst_mesh_mark(NULL, &n));
     null("revision", amst_mesh_mark(mesh, NULL));
     null("mesh", amst_mesh_rollback(NULL, 0));
@@ -126,6 +132,7 @@ static void meshes(void **state) {
     } while (0)
 
 #define mesh_flags(m, out, capacity, needed) amst_mesh_get_flags(m, AMST_FACE, out, capacity, needed)
+#define mesh_field(m, out, capacity, needed) amst_mesh_get_field(m, AMST_FACE, "a", out, capacity, needed)
 #define mesh_quality(m, out, capacity, needed)                                                               \
     amst_mesh_get_quality(m, AMST_METRIC_AREA, out, capacity, needed)
 #define patch_faces(p, out, capacity, needed) amst_patches_get_faces(p, 0, out, capacity, needed)
@@ -143,6 +150,9 @@ static void arrays(void **state) {
     null_array(mesh, amst_mesh_get_valences, int32_t);
     null_array(mesh, amst_mesh_get_singularities, amst_id);
     null_array(mesh, mesh_flags, int32_t);
+    const double values[36] = {0};
+    must(amst_mesh_set_field(mesh, AMST_FACE, "a", 1, AMST_CARRY_DROP, values, 36));
+    null_array(mesh, mesh_field, double);
     null_array(mesh, mesh_quality, double);
     null_array(patches, patch_faces, amst_id);
     null_array(patches, patch_boundary, amst_id);
@@ -188,9 +198,7 @@ static void operations_and_reports(void **state) {
     int64_t integer;
     double real;
     null("mesh", amst_adapt(NULL, set, 1, options, NULL));
-    null("patches", amst_adapt(mesh, NULL, 1, options, NULL));
     null("mesh", amst_reduce_singularities(NULL, set, options, NULL));
-    null("patches", amst_reduce_singularities(mesh, NULL, options, NULL));
     null("mesh", amst_smooth(NULL, set, options, NULL));
     null("mesh", amst_clean(NULL, options, NULL));
     null("report", amst_report_get_int(NULL, AMST_ALL, AMST_RESULT_STATUS, &integer));

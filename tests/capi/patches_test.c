@@ -235,8 +235,8 @@ static void convexity_is_a_remark(void **state) {
 
 static void decompositions_cover_the_rest(void **state) {
     (void)state;
-    const int32_t methods[] = {AMST_DECOMPOSE_CLUSTERS, AMST_DECOMPOSE_PARTITION};
-    for (size_t k = 0; k < 2; ++k) {
+    const int32_t methods[] = {AMST_DECOMPOSE_CLUSTERS, AMST_DECOMPOSE_PARTITION, AMST_DECOMPOSE_VORONOI};
+    for (size_t k = 0; k < sizeof methods / sizeof *methods; ++k) {
         amst_options *options = NULL;
         int64_t added = -1, n = 0, covered = 0;
         amst_patches_destroy(set);
@@ -261,8 +261,53 @@ static void decompositions_cover_the_rest(void **state) {
         }
         assert_true(covered >= 80);
     }
-    refused(AMST_ERR_ARGUMENT, amst_patches_decompose(set, 7, NULL));
+    refused(AMST_ERR_ARGUMENT, amst_patches_decompose(set, AMST_DECOMPOSE_SINGULARITIES + 1, NULL));
     refused(AMST_ERR_ARGUMENT, amst_patches_decompose(set, AMST_DECOMPOSE_INVALID, NULL));
+}
+
+static void discs_lie_in_circles(void **state) {
+    (void)state;
+    amst_options *options = NULL;
+    int64_t added = -1, n = 0;
+    amst_id disc[100];
+    must(amst_options_create(&options));
+    must(amst_options_set_real(options, AMST_OPT_PATCH_FACES, 100));
+    amst_patches_destroy(set);
+    amst_mesh_destroy(mesh);
+    mesh = new_grid(ctx, 0, 11, 11);
+    must(amst_patches_create(mesh, options, &set));
+    amst_options_destroy(options);
+    must(amst_patches_decompose(set, AMST_DECOMPOSE_MEDIAL, &added));
+    assert_int_equal(added, 1); /* in the corners there is no room for 25 faces */
+    must(amst_patches_get_faces(set, 0, disc, 100, &n));
+    for (amst_id face = 0, k = 0; face < 121; ++face) { /* centre (5.5, 5.5), radius 5.5 */
+        const double x = abs((int)face % 11 - 5) + 0.5, y = abs((int)face / 11 - 5) + 0.5;
+        if (x * x + y * y <= 5.5 * 5.5)
+            assert_int_equal(disc[k++], face);
+        else
+            assert_true(k == n || disc[k] > face);
+    }
+    assert_int_equal(defects_of(0) & ~AMST_DEFECT_NOT_CONVEX, 0);
+}
+
+/* In a grid there are none: 0 patches and no error. */
+static void singularities_have_patches(void **state) {
+    (void)state;
+    const double points[7][2] = {{0, 0}, {2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}};
+    const int32_t quads[3][4] = {{0, 1, 2, 3}, {0, 3, 4, 5}, {0, 5, 6, 1}};
+    int64_t added = -1;
+    must(amst_patches_decompose(set, AMST_DECOMPOSE_SINGULARITIES, &added));
+    assert_int_equal(added, 0);
+    assert_int_equal(n_patches(), 0);
+
+    amst_patches_destroy(set);
+    amst_mesh_destroy(mesh);
+    must(amst_mesh_create(ctx, 2, points[0], 7, 0, 0, quads[0], 3, 0, 0, 4, NULL, &mesh));
+    must(amst_patches_create(mesh, NULL, &set));
+    must(amst_patches_decompose(set, AMST_DECOMPOSE_SINGULARITIES, &added));
+    assert_int_equal(added, 1);
+    assert_int_equal(n_faces(0), 3);
+    assert_int_equal(defects_of(0) & ~AMST_DEFECT_NOT_CONVEX, 0);
 }
 
 static void bad_arguments_add_nothing(void **state) {
@@ -332,6 +377,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(bad_corners, setup, teardown),
         cmocka_unit_test_setup_teardown(convexity_is_a_remark, setup, teardown),
         cmocka_unit_test_setup_teardown(decompositions_cover_the_rest, setup, teardown),
+        cmocka_unit_test_setup_teardown(discs_lie_in_circles, setup, teardown),
+        cmocka_unit_test_setup_teardown(singularities_have_patches, setup, teardown),
         cmocka_unit_test_setup_teardown(bad_arguments_add_nothing, setup, teardown),
         cmocka_unit_test_setup_teardown(alpha_of_a_patch, setup, teardown),
         cmocka_unit_test_setup_teardown(prediction_needs_a_usable_alpha, setup, teardown),

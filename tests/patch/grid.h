@@ -75,6 +75,94 @@ inline mesh::QuadMesh star(int n, int m = 1) {
     return mesh::QuadMesh::build(2, points, faces);
 }
 
+// The faces of a mesh that are listed, as a mesh of their own; vertices keep their numbers.
+inline mesh::QuadMesh part(const mesh::QuadMesh &mesh, const std::vector<int> &kept) {
+    std::vector<double> points;
+    std::vector<std::int32_t> faces;
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        for (const double x : mesh.point(v))
+            points.push_back(x);
+    for (const int face : kept)
+        for (const int v : mesh.corners(face))
+            faces.push_back(v);
+    return mesh::QuadMesh::build(mesh.dim(), points, faces);
+}
+
+// Quadrilaterals from their corners, equal points being one vertex.
+class Soup {
+public:
+    void add(const std::array<std::array<double, 3>, 4> &corners) {
+        for (const auto &p : corners) {
+            std::array<long, 3> key;
+            for (std::size_t i = 0; i < 3; ++i)
+                key[i] = std::lround(p[i] * 1e6);
+            const auto [it, fresh] =
+                vertices_.try_emplace(key, static_cast<std::int32_t>(points_.size() / 3));
+            if (fresh)
+                points_.insert(points_.end(), p.begin(), p.end());
+            faces_.push_back(it->second);
+        }
+    }
+
+    // m by m faces between four points, counter-clockwise.
+    void add(const std::array<std::array<double, 3>, 4> &block, int m) {
+        const auto place = [&](int i, int j) {
+            const double s = double(i) / m, t = double(j) / m;
+            std::array<double, 3> p;
+            for (std::size_t c = 0; c < 3; ++c)
+                p[c] = (1 - t) * ((1 - s) * block[0][c] + s * block[1][c]) +
+                       t * ((1 - s) * block[3][c] + s * block[2][c]);
+            return p;
+        };
+        for (int j = 0; j < m; ++j)
+            for (int i = 0; i < m; ++i)
+                add({place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)});
+    }
+
+    mesh::QuadMesh mesh(int dim) const { return mesh::QuadMesh::build(dim, points_, faces_); }
+
+private:
+    std::map<std::array<long, 3>, std::int32_t> vertices_;
+    std::vector<double> points_;
+    std::vector<std::int32_t> faces_;
+};
+
+// n by n unit squares cut into two triangles, each cut into three blocks of m by m faces:
+// valence 3 within every triangle, 6 where triangles meet.
+inline mesh::QuadMesh triangles(int n, int m) {
+    using P = std::array<double, 3>;
+    Soup soup;
+    const auto mean = [](const std::vector<P> &points) {
+        P sum{0, 0, 0};
+        for (const P &p : points)
+            for (std::size_t c = 0; c < 3; ++c)
+                sum[c] += p[c] / static_cast<double>(points.size());
+        return sum;
+    };
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const P a{double(i), double(j), 0}, b{i + 1.0, double(j), 0}, c{i + 1.0, j + 1.0, 0},
+                d{double(i), j + 1.0, 0};
+            for (const std::array<P, 3> &t : {std::array<P, 3>{a, b, c}, std::array<P, 3>{a, c, d}})
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const P &p = t[k], &q = t[(k + 1) % 3], &r = t[(k + 2) % 3];
+                    soup.add({p, mean({p, q}), mean({p, q, r}), mean({r, p})}, m);
+                }
+        }
+    return soup.mesh(2);
+}
+
+// The surface of a cube, every side of m by m faces.
+inline mesh::QuadMesh cube(int m) {
+    using P = std::array<double, 3>;
+    const auto corner = [](int v) { return P{double(v & 1), double(v >> 1 & 1), double(v >> 2)}; };
+    Soup soup;
+    for (const auto &[a, b, c, d] :
+         {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+        soup.add({corner(a), corner(b), corner(c), corner(d)}, m);
+    return soup.mesh(3);
+}
+
 inline mesh::QuadMesh cube() {
     std::vector<double> points;
     for (int v = 0; v < 8; ++v)

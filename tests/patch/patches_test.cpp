@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
-#include <set>
 
 namespace alphamst::patch {
 namespace {
@@ -180,61 +179,6 @@ TEST(Repair, RandomSetsBecomeDisks) {
         EXPECT_EQ(repair(mesh, disk, taken), disk);
     }
 }
-
-using Decompose = std::vector<std::vector<int>> (*)(const mesh::QuadMesh &, double, std::uint64_t, Taken);
-
-class Decomposition : public ::testing::TestWithParam<Decompose> {};
-
-TEST_P(Decomposition, DisksOfAboutTheSize) {
-    const mesh::QuadMesh mesh = grid(40, 40);
-    const auto patches = GetParam()(mesh, 64, 3, none);
-    EXPECT_GE(patches.size(), 20U);
-    EXPECT_LE(patches.size(), 30U);
-    std::set<int> seen;
-    std::size_t total = 0;
-    for (const auto &patch : patches) {
-        EXPECT_EQ(defects(mesh, patch), 0);
-        EXPECT_GE(patch.size(), 16U);
-        EXPECT_LE(patch.size(), 192U);
-        EXPECT_GT(convexity(mesh, make_window(mesh, patch)), 0.6);
-        seen.insert(patch.begin(), patch.end());
-        total += patch.size();
-    }
-    EXPECT_EQ(seen.size(), total);
-    EXPECT_GE(total, 1500U);
-}
-
-TEST_P(Decomposition, SameSeedSamePatches) {
-    const mesh::QuadMesh mesh = grid(25, 25);
-    EXPECT_EQ(GetParam()(mesh, 40, 9, none), GetParam()(mesh, 40, 9, none));
-}
-
-TEST_P(Decomposition, RespectsTakenAndFeatures) {
-    mesh::QuadMesh mesh = grid(20, 20);
-    for (int j = 0; j < 20; ++j)
-        set_feature(mesh, 21 * j + 7, 21 * (j + 1) + 7);
-    const std::vector<char> taken = mark(mesh, block(20, 12, 5, 15, 9));
-    for (const double size : {1.0, 2.5, 12.0, 50.0, 1000.0})
-        for (const auto &patch : GetParam()(mesh, size, 1, taken)) {
-            EXPECT_EQ(defects(mesh, patch), 0);
-            const bool left_side = patch.front() % 20 < 7;
-            for (const int face : patch) {
-                EXPECT_EQ(face % 20 < 7, left_side);
-                EXPECT_FALSE(taken[static_cast<std::size_t>(face)]);
-            }
-        }
-}
-
-TEST_P(Decomposition, SilentOnSmallParts) {
-    ::testing::internal::CaptureStdout();
-    const mesh::QuadMesh mesh = grid(30, 30);
-    for (const double size : {0.0, 1.0, 3.0, 8.0, 9.0})
-        EXPECT_FALSE(GetParam()(mesh, size, 1, none).empty());
-    EXPECT_TRUE(GetParam()(mesh, 10, 1, std::vector<char>(900, 1)).empty());
-    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
-}
-
-INSTANTIATE_TEST_SUITE_P(Both, Decomposition, ::testing::Values(&clusters, &partition));
 
 } // namespace
 } // namespace alphamst::patch

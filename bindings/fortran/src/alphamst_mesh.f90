@@ -9,10 +9,10 @@ module alphamst_mesh
     use amst_c, only: amst_mesh_check, amst_mesh_clone, amst_mesh_create, amst_mesh_create_i64, &
         amst_mesh_destroy, amst_mesh_find_edges, amst_mesh_forget, amst_mesh_get_checksum, &
         amst_mesh_get_count, amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
-        amst_mesh_get_faces, amst_mesh_get_flags, amst_mesh_get_points, amst_mesh_get_quality, &
+        amst_mesh_get_faces, amst_mesh_get_field, amst_mesh_get_flags, amst_mesh_get_points, amst_mesh_get_quality, &
         amst_mesh_get_revision, amst_mesh_get_singularities, amst_mesh_get_summary, &
-        amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_rollback, &
-        amst_mesh_set_flags, amst_mesh_set_points, amst_mesh_write, amst_summary
+        amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_remove_field, &
+        amst_mesh_rollback, amst_mesh_set_field, amst_mesh_set_flags, amst_mesh_set_points, amst_mesh_write, amst_summary
     use alphamst_arrays, only: check_rows, deliver, fetch_reals_of, fetch_row, fetch_row_of, fetch_rows, &
         fill_reals_of, fill_row, fill_row_of, fill_rows
     use alphamst_context, only: amst_context
@@ -22,7 +22,7 @@ module alphamst_mesh
     implicit none
     private
 
-    !> Assignment makes a mesh of its own, with flags and revision, without savepoints.
+    !> Assignment makes a mesh of its own, with flags, fields and revision, without savepoints.
     !>
     !> The functions below return new arrays. Their get_ forms fill an array of the caller, which may
     !> have more columns than needed; n becomes the number of columns of the answer. Errors of those:
@@ -39,10 +39,10 @@ module alphamst_mesh
         !> points(n, dim) the strides are 1 and n. Both strides 0 means packed. Nothing is copied first.
         !> Faces are of kind int32; for int64 it is create_strided_int64.
         procedure :: create_strided, create_strided_int64
-        !> read(context, path [, options]): .off .obj .ply .msh .vtk; dim is 2 when every z is 0.
+        !> read(context, path [, options]): .off .obj .ply .msh .su2 .vtk; dim is 2 when every z is 0.
         !> Errors: IO, FORMAT, UNSUPPORTED and those of create.
         procedure :: read => read_file
-        !> write(path): the same formats and .svg. Errors: IO, UNSUPPORTED.
+        !> write(path): the same formats without .su2, and .svg. Errors: IO, UNSUPPORTED.
         procedure :: write => write_file
         !> clone(copy): as copy = mesh, with stat and errmsg.
         procedure :: clone
@@ -87,7 +87,19 @@ module alphamst_mesh
         !> Errors: ARGUMENT (entity).
         procedure :: flags, get_flags
 
-        !> mark(revision): remember points, connectivity and flags under this name.
+        !> set_field(entity, name, values(:), carry), or values(components, :): named numbers of each entity;
+        !> a field of that name there is replaced. Operations keep the values of what they keep; an
+        !> AMST_CARRY_* gives new entities theirs. The library reads 'size' (AMST_VERTEX, one number above
+        !> 0): the wanted edge length. Errors: ARGUMENT (entity, name empty, carry not for this entity),
+        !> RANGE (extents, a size not above 0), NOT_FINITE.
+        generic :: set_field => set_field_of_one, set_field_of_several
+        !> field(entity, name): values(components, :); get_field(entity, name, values(components, :) [, n]).
+        !> Errors: ARGUMENT (entity, name empty), NOT_FOUND.
+        procedure :: field, get_field
+        !> remove_field(entity, name). Errors: ARGUMENT (entity, name empty), NOT_FOUND.
+        procedure :: remove_field
+
+        !> mark(revision): remember points, connectivity, flags and fields under this name.
         procedure :: mark
         !> rollback(revision): back to that savepoint, which stays. Errors: NOT_FOUND.
         procedure :: rollback
@@ -100,7 +112,8 @@ module alphamst_mesh
         !> summary(metric): type(amst_summary). Errors: ARGUMENT (metric).
         procedure :: summary => get_summary
 
-        procedure, private :: create_int32, create_int64, set_flags_of, set_flags_of_all, assign
+        procedure, private :: create_int32, create_int64, set_flags_of, set_flags_of_all, assign, &
+            set_field_of_one, set_field_of_several, components_of
         generic :: assignment(=) => assign
         final :: finalize
     end type amst_mesh
@@ -521,6 +534,94 @@ contains
 
         call fill_row_of(amst_mesh_get_flags, self%c_handle(), entity, values, n, stat, errmsg)
     end subroutine get_flags
+
+    subroutine set_field_of_one(self, entity, name, values, carry, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(in) :: entity, carry
+        character(len=*), intent(in) :: name
+        real(real64), intent(in), contiguous :: values(:)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_set_field(self%c_handle(), entity, to_c(name), 1_int32, carry, values, &
+            size(values, kind=int64)), stat, errmsg)
+    end subroutine set_field_of_one
+
+    subroutine set_field_of_several(self, entity, name, values, carry, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(in) :: entity, carry
+        character(len=*), intent(in) :: name
+        real(real64), intent(in), contiguous :: values(:, :)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_set_field(self%c_handle(), entity, to_c(name), size(values, 1, int32), carry, &
+            values, size(values, 2, int64)), stat, errmsg)
+    end subroutine set_field_of_several
+
+    function field(self, entity, name, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        character(len=*), intent(in) :: name
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        real(real64), allocatable :: values(:, :)
+        integer(int32) :: components, status
+        integer(int64) :: needed
+
+        call self%components_of(entity, name, components, needed, status)
+        allocate (values(components, needed/components))
+        if (status >= 0) status = amst_mesh_get_field(self%c_handle(), entity, to_c(name), values, needed, needed)
+        call settle(status, stat, errmsg)
+    end function field
+
+    subroutine get_field(self, entity, name, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        character(len=*), intent(in) :: name
+        real(real64), intent(inout), contiguous :: values(:, :)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32) :: components, status
+        integer(int64) :: needed
+
+        call self%components_of(entity, name, components, needed, status)
+        if (status < 0) then
+            call settle(status, stat, errmsg)
+        else if (check_rows(size(values, 1, int32), components, stat, errmsg)) then
+            status = amst_mesh_get_field(self%c_handle(), entity, to_c(name), values, size(values, kind=int64), &
+                needed)
+            call deliver(status, needed/components, n, stat, errmsg)
+        end if
+    end subroutine get_field
+
+    !> How many numbers a field has for each entity, and in all; 1 and 0 where there is none.
+    subroutine components_of(self, entity, name, components, needed, status)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        character(len=*), intent(in) :: name
+        integer(int32), intent(out) :: components, status
+        integer(int64), intent(out) :: needed
+        integer(int64) :: count
+
+        components = 1
+        needed = 0
+        count = 1
+        status = amst_mesh_get_field(self%c_handle(), entity, to_c(name), capacity=0_int64, needed=needed)
+        if (status >= 0) status = amst_mesh_get_count(self%c_handle(), entity, count)
+        if (status >= 0) components = int(needed/count, int32)
+    end subroutine components_of
+
+    subroutine remove_field(self, entity, name, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(in) :: entity
+        character(len=*), intent(in) :: name
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_remove_field(self%c_handle(), entity, to_c(name)), stat, errmsg)
+    end subroutine remove_field
 
     function quality(self, metric, stat, errmsg) result(values)
         class(amst_mesh), intent(in) :: self

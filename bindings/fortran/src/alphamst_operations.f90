@@ -4,7 +4,7 @@
 module alphamst_operations
     use, intrinsic :: iso_c_binding, only: c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, real64
-    use amst_c, only: AMST_ERR_NULL, amst_adapt, amst_clean, amst_reduce_singularities, amst_smooth
+    use amst_c, only: AMST_ERR_NULL, AMST_OK, amst_adapt, amst_clean, amst_reduce_singularities, amst_smooth
     use alphamst_library, only: settle
     use alphamst_mesh, only: amst_mesh
     use alphamst_options, only: amst_options, handle_of_options
@@ -18,36 +18,46 @@ module alphamst_operations
 contains
 
     !> Replace each patch by its alpha template. alpha > 0 is for the patches that have none of their
-    !> own: the wanted number of faces over the present one. Errors: ARGUMENT (alpha), NOT_FINITE.
+    !> own: the wanted number of faces over the present one. Without patches the whole mesh, which must
+    !> lie in a plane, with windows that the library chooses: round(alpha * faces) faces, as few singular
+    !> vertices as it can, the boundary kept; a vertex field "size" says where the faces go.
+    !> Errors: ARGUMENT (alpha), NOT_FINITE, UNSUPPORTED (whole mesh that is no plane).
     subroutine alphamst_adapt(mesh, patches, alpha, options, report, stat, errmsg)
         type(amst_mesh), intent(inout) :: mesh
-        type(amst_patches), intent(inout) :: patches
+        type(amst_patches), intent(inout), optional :: patches
         real(real64), intent(in) :: alpha
         type(amst_options), intent(in), optional :: options
         type(amst_report), intent(inout), optional :: report
         integer(int32), intent(out), optional :: stat
         character(len=*), intent(inout), optional :: errmsg
         type(c_ptr), allocatable :: told
+        type(c_ptr) :: set
         integer(int32) :: status
 
+        call choose(set, patches, stat, errmsg, status)
+        if (status < 0) return
         call ask(told, report)
-        status = amst_adapt(mesh%c_handle(), patches%c_handle(), alpha, handle_of_options(options), told)
+        status = amst_adapt(mesh%c_handle(), set, alpha, handle_of_options(options), told)
         call finish(status, told, report, stat, errmsg)
     end subroutine alphamst_adapt
 
-    !> Replace each patch by its minimum singularity template, boundary kept.
+    !> Replace each patch by its minimum singularity template, boundary kept. Without patches the whole
+    !> mesh; its number of faces stays within a few percent. Errors: UNSUPPORTED as alphamst_adapt.
     subroutine alphamst_reduce_singularities(mesh, patches, options, report, stat, errmsg)
         type(amst_mesh), intent(inout) :: mesh
-        type(amst_patches), intent(inout) :: patches
+        type(amst_patches), intent(inout), optional :: patches
         type(amst_options), intent(in), optional :: options
         type(amst_report), intent(inout), optional :: report
         integer(int32), intent(out), optional :: stat
         character(len=*), intent(inout), optional :: errmsg
         type(c_ptr), allocatable :: told
+        type(c_ptr) :: set
         integer(int32) :: status
 
+        call choose(set, patches, stat, errmsg, status)
+        if (status < 0) return
         call ask(told, report)
-        status = amst_reduce_singularities(mesh%c_handle(), patches%c_handle(), handle_of_options(options), told)
+        status = amst_reduce_singularities(mesh%c_handle(), set, handle_of_options(options), told)
         call finish(status, told, report, stat, errmsg)
     end subroutine alphamst_reduce_singularities
 
@@ -63,14 +73,8 @@ contains
         type(c_ptr) :: set
         integer(int32) :: status
 
-        set = c_null_ptr
-        if (present(patches)) then
-            if (.not. patches%exists()) then ! NULL would mean the whole mesh
-                call settle(AMST_ERR_NULL, stat, errmsg, 'patches is NULL')
-                return
-            end if
-            set = patches%c_handle()
-        end if
+        call choose(set, patches, stat, errmsg, status)
+        if (status < 0) return
         call ask(told, report)
         status = amst_smooth(mesh%c_handle(), set, handle_of_options(options), told)
         call finish(status, told, report, stat, errmsg)
@@ -90,6 +94,25 @@ contains
         status = amst_clean(mesh%c_handle(), handle_of_options(options), told)
         call finish(status, told, report, stat, errmsg)
     end subroutine alphamst_clean
+
+    !> The handle of the patches; NULL, which means the whole mesh, only where there are none.
+    subroutine choose(set, patches, stat, errmsg, status)
+        type(c_ptr), intent(out) :: set
+        type(amst_patches), intent(in), optional :: patches
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), intent(out) :: status
+
+        set = c_null_ptr
+        status = AMST_OK
+        if (.not. present(patches)) return
+        if (patches%exists()) then
+            set = patches%c_handle()
+        else
+            status = AMST_ERR_NULL
+            call settle(status, stat, errmsg, 'patches is NULL')
+        end if
+    end subroutine choose
 
     !> told not allocated is an absent argument of the C interface: no report is made.
     subroutine ask(told, report)

@@ -51,6 +51,14 @@ module amst_c
     integer(c_int32_t), parameter :: AMST_FLAG_CORNER = 4
     integer(c_int32_t), parameter :: AMST_FLAG_MAX = 2147483647
 
+    ! amst_carry
+    integer(c_int32_t), parameter :: AMST_CARRY_INVALID = -1
+    integer(c_int32_t), parameter :: AMST_CARRY_DROP = 0
+    integer(c_int32_t), parameter :: AMST_CARRY_INHERIT = 1
+    integer(c_int32_t), parameter :: AMST_CARRY_LINEAR = 2
+    integer(c_int32_t), parameter :: AMST_CARRY_CONSERVE = 3
+    integer(c_int32_t), parameter :: AMST_CARRY_MAX = 2147483647
+
     ! amst_defect
     integer(c_int32_t), parameter :: AMST_DEFECT_INVALID = -1
     integer(c_int32_t), parameter :: AMST_DEFECT_EMPTY = 1
@@ -68,6 +76,9 @@ module amst_c
     integer(c_int32_t), parameter :: AMST_DECOMPOSE_INVALID = -1
     integer(c_int32_t), parameter :: AMST_DECOMPOSE_CLUSTERS = 0
     integer(c_int32_t), parameter :: AMST_DECOMPOSE_PARTITION = 1
+    integer(c_int32_t), parameter :: AMST_DECOMPOSE_VORONOI = 2
+    integer(c_int32_t), parameter :: AMST_DECOMPOSE_MEDIAL = 3
+    integer(c_int32_t), parameter :: AMST_DECOMPOSE_SINGULARITIES = 4
     integer(c_int32_t), parameter :: AMST_DECOMPOSE_MAX = 2147483647
 
     ! amst_metric
@@ -489,6 +500,38 @@ module amst_c
             integer(c_int64_t), value :: capacity
             integer(c_int64_t), intent(inout) :: needed
         end function amst_mesh_get_flags
+
+        ! fields
+
+        integer(c_int32_t) function amst_mesh_set_field(mesh, entity, name, components, carry, values, n) bind(c)
+            import :: c_char, c_double, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: entity
+            character(kind=c_char), intent(in) :: name(*)
+            integer(c_int32_t), value :: components, carry
+            real(c_double), intent(in) :: values(*)
+            integer(c_int64_t), value :: n
+        end function amst_mesh_set_field
+
+        integer(c_int32_t) function amst_mesh_get_field(mesh, entity, name, out, capacity, needed) bind(c)
+            import :: c_char, c_double, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: entity
+            character(kind=c_char), intent(in) :: name(*)
+            real(c_double), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_field
+
+        integer(c_int32_t) function amst_mesh_remove_field(mesh, entity, name) bind(c)
+            import :: c_char, c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: entity
+            character(kind=c_char), intent(in) :: name(*)
+        end function amst_mesh_remove_field
 
         ! undoing
 

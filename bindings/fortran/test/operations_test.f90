@@ -9,6 +9,7 @@ program operations_test
     call adapt_reports_what_it_did()
     call origins_fit()
     call reduce_makes_a_grid_again()
+    call without_patches_the_whole_mesh()
     call smooth_moves_the_inside()
     call clean_removes_a_doublet()
     call partial_is_a_success()
@@ -109,6 +110,31 @@ contains
         call claim(report%get_int(AMST_RESULT_FACES_BEFORE, 1) == 50, 'before')
         call claim(report%get_int(AMST_RESULT_FACES_AFTER, 1) == 25, 'after')
     end subroutine reduce_makes_a_grid_again
+
+    subroutine without_patches_the_whole_mesh()
+        type(amst_mesh) :: mesh
+        type(amst_patches) :: patches, none
+        type(amst_report) :: report
+        integer(int32) :: stat
+        integer :: singular
+        character(len=200) :: errmsg
+
+        call new_grid(mesh, context, 10, 10)
+        call patches%create(mesh)
+        call patches%add_faces(square(10, 2, 7))
+        call alphamst_adapt(mesh, patches, 2.0_real64)
+        call alphamst_adapt(mesh, alpha=1.2_real64, report=report)
+        call claim(report%get_int(AMST_RESULT_FACES_BEFORE) == 125, 'whole before')
+        call claim(mesh%count(AMST_FACE) == 150, 'whole after')
+        singular = size(mesh%singularities())
+        call alphamst_reduce_singularities(mesh, report=report)
+        call claim(size(mesh%singularities()) <= singular, 'no more singularities')
+        call claim(report%get_int(AMST_RESULT_SINGULAR_BEFORE) == singular, 'singular before')
+        call alphamst_adapt(mesh, none, 2.0_real64, stat=stat, errmsg=errmsg)
+        call refused(stat, AMST_ERR_NULL, errmsg, 'adapt: patches never created are not the whole mesh')
+        call alphamst_reduce_singularities(mesh, none, stat=stat, errmsg=errmsg)
+        call refused(stat, AMST_ERR_NULL, errmsg, 'reduce: patches never created are not the whole mesh')
+    end subroutine without_patches_the_whole_mesh
 
     subroutine smooth_moves_the_inside()
         type(amst_mesh) :: mesh, whole

@@ -48,7 +48,7 @@ contains
 
         call options%create()
         call options%set(AMST_OPT_PATCH_FACES, 12.0_real64)
-        do method = AMST_DECOMPOSE_CLUSTERS, AMST_DECOMPOSE_PARTITION
+        do method = AMST_DECOMPOSE_CLUSTERS, AMST_DECOMPOSE_VORONOI
             call patches%create(mesh, options)
             call patches%decompose(method, added)
             call claim(patches%count() == added .and. added >= 4, 'number of new patches')
@@ -58,6 +58,16 @@ contains
             end do
             call claim(covered > 80, 'faces covered')
         end do
+        call patches%create(mesh, options)
+        call patches%decompose(AMST_DECOMPOSE_MEDIAL, added)
+        call claim(added >= 2, 'discs')
+        do patch = 1, int(added, int32)
+            covered = size(patches%faces(patch))
+            call claim(covered >= 3 .and. covered <= 12, 'faces of a disc')
+        end do
+        call patches%create(mesh, options)
+        call patches%decompose(AMST_DECOMPOSE_SINGULARITIES, added)
+        call claim(patches%count() == 0 .and. added == 0, 'a grid has no singularities')
         call patches%decompose(7, stat=stat, errmsg=errmsg)
         call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'method 7')
     end subroutine decompositions_cover_the_rest

@@ -38,6 +38,7 @@ include("array.jl")
 include("options.jl")
 include("context.jl")
 include("mesh.jl")
+include("field.jl")
 include("quality.jl")
 include("patches.jl")
 include("report.jl")
@@ -49,6 +50,7 @@ export progress, set_cancel!, set_log!, set_progress!, set_threads!
 export check, checksum, dim, edge_faces, edge_faces!, edges, edges!, faces, faces!, find_edges, flags,
     flags!, nedges, nfaces, nvertices, points, points!, revision, set_flags!, set_points!,
     singularities, valences, valences!
+export field, field!, remove_field!, set_field!
 export forget!, mark!, rollback!
 export quality, quality!, quality_summary
 export add_ball!, add_box!, add_faces!, add_rings!, boundary, corners, decompose!, predict, set_alpha!,

@@ -72,6 +72,14 @@ const AMST_FLAG_FEATURE = Int32(2)
 const AMST_FLAG_CORNER = Int32(4)
 const AMST_FLAG_MAX = Int32(0x7fffffff)
 
+# amst_carry
+const AMST_CARRY_INVALID = Int32(-1)
+const AMST_CARRY_DROP = Int32(0)
+const AMST_CARRY_INHERIT = Int32(1)
+const AMST_CARRY_LINEAR = Int32(2)
+const AMST_CARRY_CONSERVE = Int32(3)
+const AMST_CARRY_MAX = Int32(0x7fffffff)
+
 # amst_defect
 const AMST_DEFECT_INVALID = Int32(-1)
 const AMST_DEFECT_EMPTY = Int32(1)
@@ -89,6 +97,9 @@ const AMST_DEFECT_MAX = Int32(0x7fffffff)
 const AMST_DECOMPOSE_INVALID = Int32(-1)
 const AMST_DECOMPOSE_CLUSTERS = Int32(0)
 const AMST_DECOMPOSE_PARTITION = Int32(1)
+const AMST_DECOMPOSE_VORONOI = Int32(2)
+const AMST_DECOMPOSE_MEDIAL = Int32(3)
+const AMST_DECOMPOSE_SINGULARITIES = Int32(4)
 const AMST_DECOMPOSE_MAX = Int32(0x7fffffff)
 
 # amst_metric
@@ -221,6 +232,9 @@ end
     amst_mesh_get_checksum(mesh, digest) = @ccall amst_mesh_get_checksum(mesh::Ptr{amst_mesh}, digest::Ptr{Int64})::Int32
     amst_mesh_set_flags(mesh, entity, ids, n, mask, value) = @ccall amst_mesh_set_flags(mesh::Ptr{amst_mesh}, entity::Int32, ids::Ptr{Int32}, n::Int64, mask::Int32, value::Int32)::Int32
     amst_mesh_get_flags(mesh, entity, out, capacity, needed) = @ccall amst_mesh_get_flags(mesh::Ptr{amst_mesh}, entity::Int32, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_set_field(mesh, entity, name, components, carry, values, n) = @ccall amst_mesh_set_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, components::Int32, carry::Int32, values::Ptr{Float64}, n::Int64)::Int32
+    amst_mesh_get_field(mesh, entity, name, out, capacity, needed) = @ccall amst_mesh_get_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, out::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_remove_field(mesh, entity, name) = @ccall amst_mesh_remove_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring)::Int32
     amst_mesh_mark(mesh, revision) = @ccall amst_mesh_mark(mesh::Ptr{amst_mesh}, revision::Ptr{Int64})::Int32
     amst_mesh_rollback(mesh, revision) = @ccall amst_mesh_rollback(mesh::Ptr{amst_mesh}, revision::Int64)::Int32
     amst_mesh_forget(mesh, revision) = @ccall amst_mesh_forget(mesh::Ptr{amst_mesh}, revision::Int64)::Int32

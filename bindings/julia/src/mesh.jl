@@ -17,8 +17,9 @@ A mesh of quadrilaterals from arrays or from a file.
 face. Strided matrices (also views and `PermutedDimsArray`s) of `Float64` and of `Int32` or `Int64`
 are read where they lie; other ones are converted first. Nothing is kept of them.
 
-The format of a file is told by its extension: `.off`, `.obj`, `.ply`, `.msh` (Gmsh 2.2 and 4.1
-ASCII), `.vtk` (legacy). Dim is 2 when every z is 0. Regions and numbered edges are kept.
+The format of a file is told by its extension: `.off`, `.obj`, `.ply`, `.msh` (Gmsh 1, 2.2 and
+4.1 ASCII), `.su2`, `.vtk` (legacy). Dim is 2 when every z is 0. Regions and numbered edges are kept;
+the boundaries of an `.su2` file get the numbers 1, 2, ... in the order of the file.
 
 Throws `AlphaMSTError`: ARGUMENT, RANGE (corner), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD, and for files
 IO, FORMAT, UNSUPPORTED.
@@ -53,8 +54,8 @@ end
 """
     write(path, mesh)
 
-Write a mesh to a file of one of the formats that are read, or to an `.svg`, a picture with the
-singularities marked. Throws `AlphaMSTError`: IO, UNSUPPORTED (extension).
+Write a mesh to a file of one of the formats that are read but `.su2`, or to an `.svg`, a
+picture with the singularities marked. Throws `AlphaMSTError`: IO, UNSUPPORTED (extension).
 """
 function Base.write(path::AbstractString, mesh::Mesh)
     demand(amst_mesh_write(mesh, path))
@@ -64,7 +65,7 @@ end
 """
     copy(mesh)
 
-A mesh of its own, in the same context, with flags and revision, without savepoints.
+A mesh of its own, in the same context, with flags, fields and revision, without savepoints.
 """
 Base.copy(mesh::Mesh) = Mesh(created(out -> amst_mesh_clone(mesh, out), amst_mesh), mesh.callbacks)
 
@@ -307,7 +308,7 @@ end
 """
     mark!(mesh)
 
-Remember points, connectivity and flags; gives the revision that names the savepoint. Savepoints
+Remember points, connectivity, flags and fields; gives the revision that names the savepoint. Savepoints
 nest; of several with one name the latest is meant.
 """
 mark!(mesh::Mesh) = scalar(out -> amst_mesh_mark(mesh, out), Int64)

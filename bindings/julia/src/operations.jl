@@ -12,27 +12,38 @@ end
 
 """
     adapt!(mesh, patches, alpha; settings...)
+    adapt!(mesh, alpha; settings...)
 
 Fill each patch anew with round(alpha * faces) faces and few singularities; gives a
 [`Report`](@ref). `alpha` is the wanted ratio of face counts for the patches that have none of
 their own: below 1 coarser, above 1 finer, 1 only better. Patches with defects are left, see
 [`is_partial`](@ref). Settings are those of [`Options`](@ref).
 
+Without patches the whole mesh, which must lie in a plane, with windows that the library chooses:
+round(alpha * faces) faces, as few singular vertices as it can, the boundary kept. A vertex field
+`"size"` says where the faces go.
+
 Throws `AlphaMSTError`: ARGUMENT (alpha <= 0, patches of another mesh), NOT_FINITE, STALE, STATE (in a
-callback), CANCELLED.
+callback), CANCELLED, UNSUPPORTED (whole mesh that is no plane).
 """
 function adapt!(mesh::Mesh, patches::Patches, alpha::Real; options = nothing, settings...)
     given = chosen(options, settings)
     return operate(out -> amst_adapt(mesh, patches, alpha, given, out), mesh)
 end
 
+function adapt!(mesh::Mesh, alpha::Real; options = nothing, settings...)
+    given = chosen(options, settings)
+    return operate(out -> amst_adapt(mesh, nothing, alpha, given, out), mesh)
+end
+
 """
-    reduce_singularities!(mesh, patches; settings...)
+    reduce_singularities!(mesh, patches = nothing; settings...)
 
 Fill each patch anew with the fewest singularities that its boundary allows; gives a
-[`Report`](@ref). Throws as [`adapt!`](@ref).
+[`Report`](@ref). Without patches the whole mesh; its number of faces stays within a few percent. Throws as [`adapt!`](@ref).
 """
-function reduce_singularities!(mesh::Mesh, patches::Patches; options = nothing, settings...)
+function reduce_singularities!(mesh::Mesh, patches::Union{Patches,Nothing} = nothing; options = nothing,
+                               settings...)
     given = chosen(options, settings)
     return operate(out -> amst_reduce_singularities(mesh, patches, given, out), mesh)
 end

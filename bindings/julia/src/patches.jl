@@ -1,6 +1,8 @@
 # Disjoint patches of a mesh.
 
-const decompositions = (clusters = AMST_DECOMPOSE_CLUSTERS, partition = AMST_DECOMPOSE_PARTITION)
+const decompositions = (clusters = AMST_DECOMPOSE_CLUSTERS, partition = AMST_DECOMPOSE_PARTITION,
+    voronoi = AMST_DECOMPOSE_VORONOI, medial = AMST_DECOMPOSE_MEDIAL,
+    singularities = AMST_DECOMPOSE_SINGULARITIES)
 
 """
 Bits of what is wrong with a patch, by name: `empty`, `not_connected`, `not_disk`, `pinched` (the
@@ -90,8 +92,11 @@ end
 """
     decompose!(patches, method = :clusters)
 
-Patches of about `patch_faces` faces over all faces not yet taken, by `:clusters` (compact ones) or
-`:partition` (balanced graph partition); gives the number of new patches.
+Patches of about `patch_faces` faces over the faces not yet taken, by `:clusters` (compact ones),
+`:partition` (balanced graph partition), `:voronoi` (geodesic cells of faces far from one another),
+`:medial` (discs: faces within the largest inscribed circles; not every face is in one) or
+`:singularities` (faces around singular vertices that lie together; no others); gives the number of
+new patches.
 """
 decompose!(patches::Patches, method = :clusters) =
     Int(scalar(out -> amst_patches_decompose(patches, number_of(decompositions, method), out), Int64))

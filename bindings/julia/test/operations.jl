@@ -96,3 +96,17 @@ end
     end
     @test digest(1, 7) == digest(2, 7) == digest(0, 7)
 end
+
+@testset "whole meshes" begin
+    mesh, patches = grid_with_square()
+    adapt!(mesh, patches, 2)
+    faces = nfaces(mesh)
+    report = adapt!(mesh, 1.2; seed = 3)
+    @test report[:faces_before] == faces
+    @test nfaces(mesh) == report[:faces_wanted] == round(Int, 1.2faces)
+    before = length(singularities(mesh))
+    report = reduce_singularities!(mesh)
+    @test report[:singular_before] == before
+    @test report[:singular_after] == length(singularities(mesh)) <= before
+    @test refusal(() -> adapt!(mesh, 0)) == "AMST_ERR_ARGUMENT"
+end

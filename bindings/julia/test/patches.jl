@@ -25,7 +25,7 @@
 end
 
 @testset "decompositions" begin
-    for method in (:clusters, :partition)
+    for method in (:clusters, :partition, :voronoi)
         mesh = grid(10)
         patches = Patches(mesh; patch_faces = 12, seed = 3)
         n = decompose!(patches, method)
@@ -36,6 +36,10 @@ end
     @test decompose!(one) < 4
     @test refusal(() -> decompose!(one, 7)) == "AMST_ERR_ARGUMENT"
     @test_throws ArgumentError decompose!(one, :circles)
+    some = Patches(grid(10); patch_faces = 12)
+    @test decompose!(some, :singularities) == 0 # a grid has none
+    n = decompose!(some, :medial)
+    @test n >= 2 && all(3 <= length(faces(some, p)) <= 12 for p in 1:n)
 end
 
 @testset "boundary and corners" begin

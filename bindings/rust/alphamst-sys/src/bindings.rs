@@ -65,6 +65,13 @@ pub const AMST_FLAG_FEATURE: amst_flag = 2;
 pub const AMST_FLAG_CORNER: amst_flag = 4;
 pub const AMST_FLAG_MAX: amst_flag = 2147483647;
 pub type amst_flag = ::std::os::raw::c_int;
+pub const AMST_CARRY_INVALID: amst_carry = -1;
+pub const AMST_CARRY_DROP: amst_carry = 0;
+pub const AMST_CARRY_INHERIT: amst_carry = 1;
+pub const AMST_CARRY_LINEAR: amst_carry = 2;
+pub const AMST_CARRY_CONSERVE: amst_carry = 3;
+pub const AMST_CARRY_MAX: amst_carry = 2147483647;
+pub type amst_carry = ::std::os::raw::c_int;
 pub const AMST_DEFECT_INVALID: amst_defect = -1;
 pub const AMST_DEFECT_EMPTY: amst_defect = 1;
 pub const AMST_DEFECT_NOT_CONNECTED: amst_defect = 2;
@@ -80,6 +87,9 @@ pub type amst_defect = ::std::os::raw::c_int;
 pub const AMST_DECOMPOSE_INVALID: amst_decomposition = -1;
 pub const AMST_DECOMPOSE_CLUSTERS: amst_decomposition = 0;
 pub const AMST_DECOMPOSE_PARTITION: amst_decomposition = 1;
+pub const AMST_DECOMPOSE_VORONOI: amst_decomposition = 2;
+pub const AMST_DECOMPOSE_MEDIAL: amst_decomposition = 3;
+pub const AMST_DECOMPOSE_SINGULARITIES: amst_decomposition = 4;
 pub const AMST_DECOMPOSE_MAX: amst_decomposition = 2147483647;
 pub type amst_decomposition = ::std::os::raw::c_int;
 pub const AMST_METRIC_INVALID: amst_metric = -1;
@@ -457,6 +467,34 @@ extern "C" {
         out: *mut i32,
         capacity: i64,
         needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_set_field(
+        mesh: *mut amst_mesh,
+        entity: i32,
+        name: *const ::std::os::raw::c_char,
+        components: i32,
+        carry: i32,
+        values: *const f64,
+        n: i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_field(
+        mesh: *const amst_mesh,
+        entity: i32,
+        name: *const ::std::os::raw::c_char,
+        out: *mut f64,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_remove_field(
+        mesh: *mut amst_mesh,
+        entity: i32,
+        name: *const ::std::os::raw::c_char,
     ) -> amst_status;
 }
 extern "C" {

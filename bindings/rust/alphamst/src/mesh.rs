@@ -11,7 +11,7 @@ use crate::error::{check, create, must, value};
 use crate::strided::sealed::Sealed;
 use crate::{array, options, Context, Corner, Entity, Error, Options, Result, Strided};
 
-/// A mesh of quadrilaterals with flags and savepoints.
+/// A mesh of quadrilaterals with flags, fields and savepoints.
 pub struct Mesh {
     raw: NonNull<sys::amst_mesh>,
     pub(crate) shared: Arc<Shared>,
@@ -82,10 +82,11 @@ impl Mesh {
         })
     }
 
-    /// A mesh from a file: .off .obj .ply .msh (Gmsh 2.2 and 4.1 ASCII) .vtk (legacy). It has dim 2 when
-    /// every z is 0. Region numbers of faces and boundary numbers of edges in .msh and .vtk files are
-    /// kept and written again; borders of regions and numbered edges act as [`Flags::FEATURE`]. No
-    /// option has an influence yet.
+    /// A mesh from a file: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII) .su2 .vtk (legacy). It has
+    /// dim 2 when every z is 0. Region numbers of faces and boundary numbers of edges in .msh and .vtk
+    /// files are kept and written again; the boundaries of a .su2 file get the numbers 1, 2, ... in the
+    /// order of the file. Borders of regions and numbered edges act as [`Flags::FEATURE`]. No option has
+    /// an influence yet.
     ///
     /// Errors: `Io`, `Format`, `Unsupported` (extension, binary variant), `Argument` (a path that is not
     /// UTF-8) and those of [`Mesh::new`].
@@ -113,7 +114,7 @@ impl Mesh {
         })
     }
 
-    /// Writes a file of the same formats, or a picture (.svg) with the singularities marked. A failure
+    /// Writes a file of the same formats but .su2, or a picture (.svg) with the singularities marked. A failure
     /// leaves no half-written file.
     ///
     /// Errors: `Io`, `Unsupported` (extension), `Argument` (a path that is not UTF-8).
@@ -315,7 +316,8 @@ impl Mesh {
         self.ask(|mesh| check(unsafe { sys::amst_mesh_check(mesh) }))
     }
 
-    /// A digest of coordinates, connectivity, flags and markers; equal for equal meshes.
+    /// A digest of coordinates, connectivity, flags and markers; equal for equal meshes. Fields
+    /// are not in it.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
@@ -327,7 +329,7 @@ impl Mesh {
     }
 }
 
-/// A mesh of its own in the same context, with flags and revision, without savepoints.
+/// A mesh of its own in the same context, with flags, fields and revision, without savepoints.
 impl Clone for Mesh {
     fn clone(&self) -> Self {
         let raw = must(self.ask(|mesh| create(|out| unsafe { sys::amst_mesh_clone(mesh, out) })));

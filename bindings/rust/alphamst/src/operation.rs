@@ -14,9 +14,11 @@ use crate::{options, Mesh, Options, Patches, Report, Result};
 /// Errors of all: `Argument` (patches of another mesh), `Stale`, `State`, `Cancelled`.
 impl Mesh {
     /// Replaces each patch by its alpha template. `alpha`, above 0, is for the patches that have none of
-    /// their own.
+    /// their own. Without patches the whole mesh, which must lie in a plane, with windows that the library
+    /// chooses: round(alpha * faces) faces, as few singular vertices as it can, the boundary kept; a
+    /// vertex field "size" says where the faces go.
     ///
-    /// Errors: also `Argument` (alpha), `NotFinite`.
+    /// Errors: also `Argument` (alpha), `NotFinite`, `Unsupported` (whole mesh that is no plane).
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
@@ -26,20 +28,20 @@ impl Mesh {
     /// assert_eq!((mesh.n_faces(), report.all().alpha()), (32, 2.0));
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn adapt<'a>(
+    pub fn adapt<'a, 'p>(
         &mut self,
-        patches: &mut Patches,
+        patches: impl Into<Option<&'p mut Patches>>,
         alpha: f64,
         options: impl Into<Option<&'a Options>>,
     ) -> Result<Report> {
-        let (set, options) = (patches.raw(), options::raw(options.into()));
+        let (patches, options) = (patches.into(), options::raw(options.into()));
+        let (set, n_patches) = patches.map_or((ptr::null_mut(), 0), |set| (set.raw(), set.len()));
         // SAFETY, here and below: the handles are valid, those that change are ours alone.
-        self.operate(patches.len(), |mesh, report| unsafe {
-            sys::amst_adapt(mesh, set, alpha, options, report)
-        })
+        self.operate(n_patches, |mesh, report| unsafe { sys::amst_adapt(mesh, set, alpha, options, report) })
     }
 
-    /// Replaces each patch by its minimum singularity template; its boundary is kept.
+    /// Replaces each patch by its minimum singularity template; its boundary is kept. Without patches the
+    /// whole mesh; its number of faces stays within a few percent.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
@@ -49,13 +51,14 @@ impl Mesh {
     /// assert_eq!(report.patch(patch)?.singular_after(), 0);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn reduce_singularities<'a>(
+    pub fn reduce_singularities<'a, 'p>(
         &mut self,
-        patches: &mut Patches,
+        patches: impl Into<Option<&'p mut Patches>>,
         options: impl Into<Option<&'a Options>>,
     ) -> Result<Report> {
-        let (set, options) = (patches.raw(), options::raw(options.into()));
-        self.operate(patches.len(), |mesh, report| unsafe {
+        let (patches, options) = (patches.into(), options::raw(options.into()));
+        let (set, n_patches) = patches.map_or((ptr::null_mut(), 0), |set| (set.raw(), set.len()));
+        self.operate(n_patches, |mesh, report| unsafe {
             sys::amst_reduce_singularities(mesh, set, options, report)
         })
     }

@@ -18,6 +18,12 @@ enumeration! {
         Clusters = AMST_DECOMPOSE_CLUSTERS,
         /// Balanced partition of the graph (METIS).
         Partition = AMST_DECOMPOSE_PARTITION,
+        /// Geodesic Voronoi cells of faces far from one another.
+        Voronoi = AMST_DECOMPOSE_VORONOI,
+        /// Discs: faces within the largest inscribed circles. Not every face is in one.
+        Medial = AMST_DECOMPOSE_MEDIAL,
+        /// Faces around singular vertices that lie together; no others.
+        Singularities = AMST_DECOMPOSE_SINGULARITIES,
     }
 }
 

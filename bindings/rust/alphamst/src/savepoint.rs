@@ -5,8 +5,8 @@ use crate::{Mesh, Result};
 
 /// Undoing.
 impl Mesh {
-    /// Remembers the mesh, with points, connectivity and flags, and tells its revision, which names the
-    /// savepoint. Savepoints nest; of several with one name the latest is meant. Memory is taken only
+    /// Remembers the mesh, with points, connectivity, flags and fields, and tells its revision, which
+    /// names the savepoint. Savepoints nest; of several with one name the latest is meant. Memory is taken only
     /// when the mesh changes.
     ///
     /// Errors: `State` (in a callback).

@@ -109,3 +109,18 @@ fn results_are_the_same_for_any_number_of_threads() {
     assert_eq!(digest(1), digest(0));
     assert_eq!(digest(1), digest(4));
 }
+
+#[test]
+fn without_patches_the_whole_mesh_changes() {
+    let context = Context::new();
+    let (mut mesh, mut patches) = grid::patched(&context, 10, 2, 7);
+    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    let report = mesh.adapt(None, 1.2, None).unwrap();
+    assert_eq!((report.all().faces_before(), report.all().faces_wanted(), mesh.n_faces()), (125, 150, 150));
+    let before = mesh.singularities().len();
+    let report = mesh.reduce_singularities(None, &Options::new().seed(1)).unwrap();
+    assert_eq!(report.all().singular_before(), before);
+    assert_eq!(report.all().singular_after(), mesh.singularities().len());
+    assert!(report.all().singular_after() <= before && report.patches().len() == 0);
+    assert_eq!(mesh.adapt(None, -1.0, None).unwrap_err().status, Status::Argument);
+}

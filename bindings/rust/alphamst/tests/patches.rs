@@ -84,7 +84,7 @@ fn boundary_corners_and_convexity() {
 fn decompositions_cover_the_rest() {
     let mesh = grid::mesh(&Context::new(), 10, 10);
     let options = Options::new().patch_faces(12.0).unwrap();
-    for method in [Decomposition::Clusters, Decomposition::Partition] {
+    for method in [Decomposition::Clusters, Decomposition::Partition, Decomposition::Voronoi] {
         let mut patches = Patches::new(&mesh, &options);
         patches.add_faces(&grid::square(10, 0, 3)).unwrap();
         let added = patches.decompose(method).unwrap();
@@ -95,6 +95,18 @@ fn decompositions_cover_the_rest() {
         faces.sort();
         faces.dedup();
         assert!(faces.len() == n && n >= 89, "{method:?}");
+    }
+}
+
+#[test]
+fn discs_and_singularities_take_some_faces() {
+    let mesh = grid::mesh(&Context::new(), 10, 10);
+    let options = Options::new().patch_faces(12.0).unwrap();
+    let mut patches = Patches::new(&mesh, &options);
+    assert_eq!(patches.decompose(Decomposition::Singularities), Ok(0)); // a grid has none
+    assert!(patches.decompose(Decomposition::Medial).unwrap() >= 2);
+    for disc in patches.iter() {
+        assert!((3..=12).contains(&disc.faces().unwrap().len()));
     }
 }
 

@@ -1,0 +1,70 @@
+# Named numbers on vertices, edges and faces.
+
+const carries = (drop = AMST_CARRY_DROP, inherit = AMST_CARRY_INHERIT, linear = AMST_CARRY_LINEAR,
+                 conserve = AMST_CARRY_CONSERVE)
+
+"""
+    set_field!(mesh, entity, name, values; carry)
+
+Give every `:vertex`, `:edge` or `:face` numbers under a name: `values[i]`, or the column
+`values[:, i]`, belongs to entity i. A field of that name there is replaced. The revision stays.
+
+An operation keeps the values of what it keeps. New entities get theirs by `carry`:
+
+* `:drop`: the field goes with an operation that changes connectivity
+* `:inherit`: from the nearest entity that was there
+* `:linear`, for vertices: interpolated
+* `:conserve`, for faces: averaged by area, so that the sum of value times area stays
+
+The library reads `"size"`, one number above 0 at each vertex: the wanted edge length. Throws
+`AlphaMSTError`: ARGUMENT (entity, name, carry not for this entity), RANGE (number of values, a
+size not above 0), NOT_FINITE.
+"""
+set_field!(mesh::Mesh, entity, name::AbstractString, values::AbstractVector{<:Real}; carry) =
+    set_field!(mesh, entity, name, reshape(values, 1, :); carry = carry)
+
+function set_field!(mesh::Mesh, entity, name::AbstractString, values::AbstractMatrix{<:Real}; carry)
+    packed = is_packed(values) && eltype(values) === Float64 ? values : Matrix{Float64}(values)
+    demand(amst_mesh_set_field(mesh, number_of(entities, entity), name, size(packed, 1),
+                               number_of(carries, carry), packed, size(packed, 2)))
+    return mesh
+end
+
+"""
+    field(mesh, entity, name)
+
+The numbers of [`set_field!`](@ref) as they are now: a `Vector{Float64}` if each entity has one, else
+a `Matrix{Float64}` with a column for each. Throws `AlphaMSTError`: ARGUMENT (entity, name),
+NOT_FOUND.
+"""
+function field(mesh::Mesh, entity, name::AbstractString)
+    values = vector_of(Float64) do out, capacity, needed
+        amst_mesh_get_field(mesh, number_of(entities, entity), name, out, capacity, needed)
+    end
+    n = count_of(mesh, entity)
+    return length(values) == n ? values : reshape(values, :, n)
+end
+
+"""
+    field!(array, mesh, entity, name)
+
+The same as [`field`](@ref), written into a vector or matrix of the caller, which may be a view.
+"""
+function field!(array::AbstractVecOrMat, mesh::Mesh, entity, name::AbstractString)
+    get(out, capacity, needed) =
+        amst_mesh_get_field(mesh, number_of(entities, entity), name, out, capacity, needed)
+    n = count_of(mesh, entity)
+    components = div(scalar(needed -> get(C_NULL, 0, needed), Int64), n)
+    shape = array isa AbstractVector && components == 1 ? (n,) : (Int(components), n)
+    return fill_with!(get, Float64, array, shape)
+end
+
+"""
+    remove_field!(mesh, entity, name)
+
+Throws `AlphaMSTError`: ARGUMENT (entity, name), NOT_FOUND.
+"""
+function remove_field!(mesh::Mesh, entity, name::AbstractString)
+    demand(amst_mesh_remove_field(mesh, number_of(entities, entity), name))
+    return mesh
+end

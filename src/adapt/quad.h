@@ -1,0 +1,26 @@
+// A face as a piece of surface: two triangles. No mesh is known here.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "quality/metric.h"
+
+namespace alphamst::adapt {
+
+using Quad = quality::Corners;
+
+// A point of a quad as an average of its corners, none of negative weight.
+struct Spot {
+    std::array<double, 4> weights{}; // of the corners; their sum is 1
+    double distance = 0;             // squared
+};
+
+// The point of the quad that is nearest to `point`.
+Spot nearest_spot(const Quad &quad, const Eigen::Vector3d &point);
+
+// What `other` covers of `quad`, seen along the normal of `quad`: an area. Only what faces the same
+// side counts. The overlaps with quads that fill its plane sum up to its area but for rounding.
+double overlap(const Quad &quad, const Quad &other);
+
+} // namespace alphamst::adapt

@@ -1,0 +1,286 @@
+#include "adapt/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "adapt/tally.h"
+
+namespace alphamst::adapt {
+namespace {
+
+constexpr int rim_layers = 2;
+constexpr std::size_t most_windows = 64; // in a round
+constexpr double crowding = 0.25;        // of the faces wanted in a window
+constexpr double even_enough = 0.15;     // as little as that is not worth spreading faces
+constexpr int most_elsewhere = 16;       // windows around regular vertices, for the count
+constexpr int most_postponed = 24;       // windows in a row that stand in the way of others
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Numbers of entities at the start of a round, while its commits renumber the mesh.
+class Renumbered {
+public:
+    int now(int at_start) const {
+        const auto found = now_.find(at_start);
+        return found == now_.end() ? at_start : found->second;
+    }
+    void renew(int id) { start_[id] = -1; }
+    void move(int from, int to) {
+        const auto found = start_.find(from);
+        const int first = found == start_.end() ? from : found->second;
+        start_[to] = first;
+        start_[from] = -1;
+        if (first >= 0)
+            now_[first] = to;
+    }
+
+private:
+    std::unordered_map<int, int> now_, start_; // start_: -1 for entities of this round
+};
+
+} // namespace
+
+struct Sweep::Round {
+    std::vector<Place> places;
+    std::vector<Goal> goals;
+    std::vector<std::optional<Trial>> trials;
+};
+
+Sweep::Sweep(mesh::QuadMesh &mesh, std::vector<double> shares, const std::optional<Density> &density,
+             const Settings &settings)
+    : mesh_(mesh), settings_(settings), shares_(std::move(shares)), density_(density),
+      wanted_(std::llround(std::accumulate(shares_.begin(), shares_.end(), 0.0))), growth_(mesh),
+      workers_(settings.threads), random_(settings.seed), singular_(static_cast<int>(irregular().size())) {}
+
+std::vector<int> Sweep::irregular() const {
+    std::vector<int> vertices;
+    for (int v = 0; v < mesh_.n_vertices(); ++v)
+        if (!mesh_.isolated(v) && (mesh_.on_boundary(v) ? mismatch(mesh_, v) != 0 : mesh_.singular(v)))
+            vertices.push_back(v);
+    return vertices;
+}
+
+// The singular vertex nearest by edges that has more edges than 4 where this one has fewer, or the
+// other way round; -1 if there is none near. Such pairs may cancel each other.
+int Sweep::partner(int vertex) const {
+    if (mesh_.on_boundary(vertex))
+        return -1;
+    constexpr std::size_t most_looked_at = 300;
+    const bool few = mesh_.valence(vertex) < 4;
+    std::vector<int> found{vertex};
+    std::unordered_set<int> seen{vertex};
+    for (std::size_t i = 0; i < found.size() && found.size() < most_looked_at; ++i)
+        for (const int v : mesh_.vertices_around(found[i])) {
+            if (!seen.insert(v).second)
+                continue;
+            if (mesh_.singular(v) && (mesh_.valence(v) > 4) == few)
+                return v;
+            found.push_back(v);
+        }
+    return -1;
+}
+
+patch::GrowthPlan Sweep::plan_window(int vertex, int size) {
+    patch::GrowthPlan plan;
+    plan.start = vertex;
+    plan.most = std::max(4, static_cast<int>(size * (70 + random_() % 60) / 100));
+    switch (random_() % 4) {
+    case 0:
+        plan.nearness = patch::Nearness::ellipse;
+        plan.direction = static_cast<double>(random_() % 180) * std::numbers::pi / 180;
+        break;
+    case 1:
+        plan.nearness = patch::Nearness::rings;
+        break;
+    case 2:
+        plan.other = partner(vertex);
+        if (plan.other >= 0)
+            plan.nearness = patch::Nearness::path;
+        break;
+    default:
+        break;
+    }
+    return plan;
+}
+
+std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &faces) const {
+    double share = 0;
+    for (const int f : faces)
+        share += shares_[at(f)];
+    const auto now = static_cast<std::int64_t>(faces.size());
+    Goal goal;
+    goal.any_count = true;
+    goal.most_added = pass.most_added;
+    if (pass.purpose != Purpose::fewer_singularities) {
+        const bool spread = pass.purpose == Purpose::spread;
+        const std::int64_t lacking = spread ? std::llround(share) - now : missing();
+        if (spread && static_cast<double>(std::abs(lacking)) < even_enough * static_cast<double>(now))
+            return std::nullopt;
+        const std::int64_t step = std::max<std::int64_t>(1, now / (spread ? 2 : 4));
+        const std::int64_t aim = std::clamp(lacking, -step, step), least = spread ? aim / 3 : 0;
+        goal.faces = now + aim; // or any that is nearer to what is wanted
+        goal.fewest = std::max<std::int64_t>(1, aim > 0 ? now + std::max<std::int64_t>(1, least) : now + aim);
+        goal.most = aim > 0 ? now + aim : now + std::min<std::int64_t>(-1, least);
+        return goal;
+    }
+    // What a commit may do to the total; see welcome.
+    const auto slack = std::max<std::int64_t>(8, std::llround(pass.slack * static_cast<double>(wanted_)));
+    const std::int64_t low = std::min<std::int64_t>(0, missing() - slack),
+                       high = std::max<std::int64_t>(0, missing() + slack);
+    // Nor may faces gather where they are not wanted.
+    const auto scarce = static_cast<std::int64_t>(share * (1 - crowding)),
+               dense = static_cast<std::int64_t>(share * (1 + crowding));
+    goal.fewest = std::max({now / 2, now + low, std::min(now, scarce), std::int64_t{1}});
+    goal.most = std::max(goal.fewest, std::min({2 * now, now + high, std::max(now, dense)}));
+    goal.faces = std::clamp<std::int64_t>(std::llround(share), goal.fewest, goal.most);
+    return goal;
+}
+
+// A commit brings the number of faces nearer to what is wanted, or leaves it within the slack.
+bool Sweep::welcome(const Pass &pass, const Trial &trial) const {
+    const auto more = static_cast<std::int64_t>(trial.proposal.filling.quads.size()) -
+                      static_cast<std::int64_t>(trial.proposal.window.faces.size());
+    const std::int64_t miss = std::abs(missing() - more);
+    if (miss < std::abs(missing()))
+        return true;
+    return pass.purpose != Purpose::count &&
+           static_cast<double>(miss) <= std::max(8.0, pass.slack * static_cast<double>(wanted_));
+}
+
+void Sweep::plan_round(const Pass &pass, std::vector<int> &waiting, Round &round) {
+    growth_.release();
+    std::vector<int> later;
+    int postponed = 0;
+    std::size_t next = 0;
+    for (; next < waiting.size() && round.places.size() < most_windows && postponed < most_postponed;
+         ++next) {
+        const int vertex = seeds_[at(waiting[next])];
+        if (vertex < 0 || mesh_.isolated(vertex) ||
+            (pass.purpose == Purpose::fewer_singularities && !mesh_.on_boundary(vertex) &&
+             !mesh_.singular(vertex)))
+            continue;
+        Place place;
+        place.faces = growth_.disk(plan_window(vertex, pass.size), rim_layers);
+        if (place.faces.empty()) {
+            if (!round.places.empty()) {
+                later.push_back(waiting[next]);
+                ++postponed;
+            }
+            continue;
+        }
+        const std::optional<Goal> goal = goal_of(pass, place.faces);
+        if (!goal)
+            continue;
+        postponed = 0;
+        place.rim = growth_.surround(place.faces, rim_layers);
+        place.rim.erase(place.rim.begin(),
+                        place.rim.begin() + static_cast<std::ptrdiff_t>(place.faces.size()));
+        growth_.take(place.faces, rim_layers);
+        round.goals.push_back(*goal);
+        round.places.push_back(std::move(place));
+    }
+    later.insert(later.end(), waiting.begin() + static_cast<std::ptrdiff_t>(next), waiting.end());
+    waiting = std::move(later);
+}
+
+// Shares, seeds and their places go with what a commit renumbers.
+void Sweep::follow(const Proposal &proposal, const mesh::QuadMesh::Replaced &replaced) {
+    double share = 0;
+    for (const int f : proposal.window.faces)
+        share += shares_[at(f)];
+    for (const int v : proposal.window.interior)
+        if (const int seed = place_[at(v)]; seed >= 0)
+            seeds_[at(seed)] = -1;
+    shares_.resize(std::max(shares_.size(), at(mesh_.n_faces())));
+    place_.resize(std::max(place_.size(), at(mesh_.n_vertices())), -1);
+    for (const int v : proposal.window.interior)
+        place_[at(v)] = -1;
+    std::vector<double> weights(replaced.faces.size(), 1);
+    if (density_)
+        weights = density_->weights(mesh_, replaced.faces);
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        shares_[at(replaced.faces[i])] = share * weights[i] / sum;
+    for (const auto &[from, to] : replaced.moved_faces)
+        shares_[at(to)] = shares_[at(from)];
+    for (const auto &[from, to] : replaced.moved_vertices) {
+        place_[at(to)] = place_[at(from)];
+        if (place_[at(to)] >= 0)
+            seeds_[at(place_[at(to)])] = to;
+    }
+    shares_.resize(at(mesh_.n_faces()));
+    place_.resize(at(mesh_.n_vertices()));
+}
+
+void Sweep::commit_round(const Pass &pass, Round &round, int &done) {
+    Renumbered faces, vertices;
+    for (auto &trial : round.trials) {
+        if (!trial || !welcome(pass, *trial))
+            continue;
+        Proposal &proposal = trial->proposal;
+        for (int &f : proposal.window.faces)
+            f = faces.now(f);
+        for (auto *list : {&proposal.window.loop, &proposal.window.interior})
+            for (int &v : *list)
+                v = vertices.now(v);
+        for (const auto &[v, point] : trial->moved)
+            mesh_.set_point(vertices.now(v), point);
+        const auto replaced = commit(mesh_, proposal);
+        follow(proposal, replaced);
+        for (const int f : replaced.faces)
+            faces.renew(f);
+        for (const int v : replaced.vertices)
+            vertices.renew(v);
+        for (const auto &[from, to] : replaced.moved_faces)
+            faces.move(from, to);
+        for (const auto &[from, to] : replaced.moved_vertices)
+            vertices.move(from, to);
+        singular_ += trial->singular_change;
+        ++done;
+    }
+}
+
+// In random order.
+std::vector<int> Sweep::choose_seeds(const Pass &pass) {
+    std::vector<int> seeds = irregular();
+    const int elsewhere = pass.purpose == Purpose::count    ? most_elsewhere
+                          : pass.purpose == Purpose::spread ? 2 * mesh_.n_faces() / std::max(1, pass.size)
+                                                            : 0;
+    for (int k = 0; k < elsewhere && mesh_.n_vertices() > 0; ++k)
+        seeds.push_back(static_cast<int>(random_() % static_cast<std::uint64_t>(mesh_.n_vertices())));
+    std::sort(seeds.begin(), seeds.end());
+    seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+    for (std::size_t i = seeds.size(); i > 1; --i)
+        std::swap(seeds[i - 1], seeds[random_() % i]);
+    return seeds;
+}
+
+int Sweep::run(const Pass &pass, const std::function<void(double)> &between) {
+    seeds_ = choose_seeds(pass);
+    place_.assign(at(mesh_.n_vertices()), -1);
+    std::vector<int> waiting(seeds_.size());
+    std::iota(waiting.begin(), waiting.end(), 0);
+    for (const int i : waiting)
+        place_[at(seeds_[at(i)])] = i;
+    int done = 0;
+    while (!waiting.empty() && !(pass.purpose == Purpose::count && missing() == 0)) {
+        between(1 - static_cast<double>(waiting.size()) / static_cast<double>(seeds_.size()));
+        Round round;
+        plan_round(pass, waiting, round);
+        if (round.places.empty())
+            break;
+        round.trials.resize(round.places.size());
+        workers_.run(round.places.size(), [&](std::size_t i) {
+            round.trials[i] = attempt(mesh_, round.places[i], round.goals[i], pass.shape, settings_);
+        });
+        commit_round(pass, round, done);
+    }
+    return done;
+}
+
+} // namespace alphamst::adapt

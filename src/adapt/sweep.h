@@ -1,0 +1,73 @@
+// Sweeps over a whole mesh: windows around singular vertices, many at a time, each refilled where
+// that lowers their number.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "adapt/density.h"
+#include "adapt/trial.h"
+#include "adapt/workers.h"
+#include "fill/random.h"
+#include "patch/grow.h"
+
+namespace alphamst::adapt {
+
+enum class Purpose {
+    fewer_singularities,
+    spread, // the faces go where they are wanted
+    count,  // there come to be as many faces as are wanted
+};
+
+struct Pass {
+    Purpose purpose = Purpose::fewer_singularities;
+    int size = 0;        // faces of a window, about
+    double slack = 0;    // part of the wanted faces by which a commit may miss them
+    int most_added = -1; // singularities a window may add
+    Shapeliness shape;   // to keep, or to reach where it was more
+};
+
+class Sweep {
+public:
+    // shares: how many of the wanted faces each face stands for.
+    Sweep(mesh::QuadMesh &mesh, std::vector<double> shares, const std::optional<Density> &density,
+          const Settings &settings);
+
+    // Tries a window around every singular vertex once, where faces are to be moved elsewhere, too, and
+    // returns how many were refilled. `between` is called between rounds on the calling thread with the part
+    // that is done.
+    int run(const Pass &pass, const std::function<void(double)> &between);
+
+    std::int64_t wanted() const { return wanted_; }
+    // Singular vertices, those of the mesh boundary included, and mismatches there.
+    int singular() const { return singular_; }
+    // Wanted faces that are missing; negative: faces too many.
+    std::int64_t missing() const { return wanted_ - mesh_.n_faces(); }
+
+private:
+    struct Round;
+
+    std::vector<int> irregular() const;
+    void plan_round(const Pass &pass, std::vector<int> &waiting, Round &round);
+    patch::GrowthPlan plan_window(int vertex, int size);
+    int partner(int vertex) const;
+    std::vector<int> choose_seeds(const Pass &pass);
+    std::optional<Goal> goal_of(const Pass &pass, const std::vector<int> &faces) const;
+    bool welcome(const Pass &pass, const Trial &trial) const;
+    void commit_round(const Pass &pass, Round &round, int &done);
+    void follow(const Proposal &proposal, const mesh::QuadMesh::Replaced &replaced);
+
+    mesh::QuadMesh &mesh_;
+    const Settings settings_;
+    std::vector<double> shares_; // [face]
+    const std::optional<Density> &density_;
+    std::int64_t wanted_;
+    patch::Growth growth_;
+    Workers workers_;
+    fill::Random random_;
+    int singular_ = 0;
+    std::vector<int> place_; // [vertex] in seeds_, -1 if none
+    std::vector<int> seeds_; // vertices, -1 if gone
+};
+
+} // namespace alphamst::adapt

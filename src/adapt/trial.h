@@ -1,0 +1,36 @@
+// One window of a whole-mesh sweep: a better filling, judged together with the faces around it,
+// whose vertices may give way.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "adapt/propose.h"
+
+namespace alphamst::adapt {
+
+struct Place {
+    std::vector<int> faces; // of the window, ascending
+    std::vector<int> rim;   // the faces around them
+};
+
+// Of some faces: smallest scaled Jacobian and shape (both Verdict's), and the number of poor quads. As
+// a wish: how many quads may become poor for one singularity less.
+struct Shapeliness {
+    double scaled_jacobian = 1, shape = 1, poor = 0;
+};
+
+struct Trial {
+    Proposal proposal;
+    std::vector<std::pair<int, OpenMesh::Vec3d>> moved; // vertices of the rim and the loop
+    int singular_change = 0;                            // those of the mesh boundary included
+};
+
+// The first filling, best numbers first, that meets the goal and is, together with the rim, as
+// shapely as wanted, or as it was before if that is less. Nothing if there is none. The result
+// depends on the arguments alone.
+std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, const Goal &goal,
+                             const Shapeliness &wanted, const Settings &settings);
+
+} // namespace alphamst::adapt

@@ -1,0 +1,186 @@
+// Whole planar meshes: sweeps with windows that grow until nothing improves, then the exact
+// number of faces, then the shape of all.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+#include "adapt/adapt.h"
+#include "adapt/density.h"
+#include "adapt/relax.h"
+#include "adapt/sweep.h"
+#include "adapt/tally.h"
+
+namespace alphamst::adapt {
+namespace {
+
+// Smallest scaled Jacobian that windows keep, by what the mesh has; and smallest shape.
+constexpr double best_quality = 0.5, least_quality = 0.3, least_shape = 0.1;
+constexpr double poor_price = 5; // quads that may become poor for one singularity less
+
+constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
+constexpr int large = 160;          // windows from here on are tried once
+constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
+constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
+constexpr int most_added = 16;      // singularities for the last faces
+
+// A filling that does not come right soon gives way to another window.
+Settings hasty(Settings settings) {
+    settings.patient = false;
+    settings.candidates = std::min(settings.candidates, 4);
+    settings.least_area = 0.5;
+    return settings;
+}
+
+// What all but one in a hundred faces of the mesh exceed, and some room to move.
+double working_quality(const mesh::QuadMesh &mesh, const geometry::Points &positions) {
+    std::vector<double> quality;
+    for (const auto &quad : mesh.faces())
+        quality.push_back(geometry::judge({&quad, 1}, positions).min_scaled_jacobian);
+    const auto nth = quality.begin() + static_cast<std::ptrdiff_t>(quality.size() / 100);
+    std::nth_element(quality.begin(), nth, quality.end());
+    return std::clamp(0.75 * *nth, least_quality, best_quality);
+}
+
+// Faces that each face is to become, in all round(alpha * faces).
+std::vector<double> shares(const mesh::QuadMesh &mesh, const std::optional<Density> &density, double alpha) {
+    const auto faces = static_cast<std::size_t>(mesh.n_faces());
+    std::vector<int> all(faces);
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<double> share = density ? density->weights(mesh, all) : std::vector<double>(faces, 1);
+    const double sum = std::accumulate(share.begin(), share.end(), 0.0);
+    const auto total = static_cast<double>(wanted_faces(alpha, faces));
+    for (double &s : share)
+        s *= total / sum;
+    return share;
+}
+
+class Whole {
+public:
+    Whole(mesh::QuadMesh &mesh, const geometry::Plane &plane, double alpha, const Settings &settings,
+          const Progress &progress)
+        : mesh_(mesh), plane_(plane), settings_(hasty(settings)), progress_(progress),
+          density_(Density::of(mesh)), sweep_(mesh, shares(mesh, density_, alpha), density_, settings_),
+          quality_(std::max(working_quality(mesh, flatten(mesh, plane)), settings.min_quality)) {}
+
+    // Faces go to where a size field wants them, before singularities are saved.
+    void spread() {
+        for (const int size : {60, 100, 60, 100, 160}) {
+            Pass pass;
+            pass.purpose = Purpose::spread;
+            pass.size = size;
+            pass.slack = 0.2;
+            pass.shape = wish(1);
+            pass.most_added = 8;
+            if (density_ && run(pass, "spread", 0, 0) > 0)
+                relax(mesh_, plane_, density_, settings_);
+        }
+    }
+
+    // Windows grow; what a filling strains spreads far beyond its window, so all is relaxed between.
+    void reduce() {
+        const double part = 0.8 / static_cast<double>(sizes.size());
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            Pass pass;
+            pass.size = sizes[i];
+            pass.slack = sizes[i] <= large ? slack : slack * large / (2 * sizes[i]);
+            pass.shape = wish(1);
+            const int before = sweep_.singular();
+            for (int k = 0; k < (sizes[i] < large ? 2 : 1); ++k) {
+                if (run(pass, "reduce", part * static_cast<double>(i), part) == 0)
+                    break;
+                relax(mesh_, plane_, density_, settings_);
+            }
+            if (sizes[i] >= large && before - sweep_.singular() < worthwhile * before)
+                break;
+        }
+    }
+
+    // Windows just large enough to take up what is missing come first; singularities are added, and
+    // quality is lost, only where it cannot be had without.
+    void count() {
+        for (int level = 0; level <= most_added && sweep_.missing() != 0; ++level) {
+            std::vector<int> order = {40, 60, 100, 160, 250, 400, 600};
+            const auto rank = [&](int size) {
+                return size >= 4 * std::abs(sweep_.missing()) ? size : 2000 - size;
+            };
+            std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
+            for (const int size : order) {
+                Pass pass;
+                pass.size = size;
+                pass.shape = wish(level % 2 == 0 ? 1 : 0.6);
+                pass.purpose = Purpose::count;
+                pass.most_added = level / 2 * 2;
+                for (int done = 1; done > 0 && sweep_.missing() != 0;)
+                    done = run(pass, "count", 0.8, 0.15);
+            }
+        }
+    }
+
+    void finish() {
+        progress_(0.95, "relax");
+        relax(mesh_, plane_, density_, settings_);
+        progress_(1, "relax");
+    }
+
+private:
+    Shapeliness wish(double part) const { return {part * quality_, part * least_shape, poor_price}; }
+
+    int run(const Pass &pass, const char *stage, double start, double part) {
+        return sweep_.run(pass, [&](double fraction) { progress_(start + part * fraction, stage); });
+    }
+
+    mesh::QuadMesh &mesh_;
+    const geometry::Plane &plane_;
+    const Settings settings_;
+    const Progress &progress_;
+    const std::optional<Density> density_;
+    Sweep sweep_;
+    double quality_;
+};
+
+Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings,
+               const Progress &progress) {
+    const auto start = std::chrono::steady_clock::now();
+    Outcome outcome;
+    outcome.faces_before = outcome.faces_after = mesh.n_faces();
+    outcome.faces_wanted = wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces()));
+    std::vector<int> faces(static_cast<std::size_t>(mesh.n_faces()));
+    std::iota(faces.begin(), faces.end(), 0);
+    if (faces.empty())
+        return outcome;
+    const geometry::Plane plane = plane_of(mesh, faces);
+    const auto describe = [&](auto &valences, std::int64_t &singular, double &quality) {
+        count(mesh, valences, singular);
+        quality = geometry::judge(mesh.faces(), flatten(mesh, plane)).min_scaled_jacobian;
+    };
+    describe(outcome.valences_before, outcome.singular_before, outcome.quality_before);
+    Whole work(mesh, plane, alpha, settings, progress);
+    work.spread();
+    work.reduce();
+    if (exact)
+        work.count();
+    work.finish();
+    outcome.faces_after = mesh.n_faces();
+    describe(outcome.valences_after, outcome.singular_after, outcome.quality_after);
+    if (exact && outcome.faces_after != outcome.faces_wanted)
+        outcome.text = "the mesh has " + std::to_string(outcome.faces_after) + " faces where " +
+                       std::to_string(outcome.faces_wanted) +
+                       " were wanted; no valid filling with more or fewer was found";
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+}
+
+} // namespace
+
+Outcome adapt_whole(mesh::QuadMesh &mesh, double alpha, const Settings &settings, const Progress &progress) {
+    return rework(mesh, alpha, true, settings, progress);
+}
+
+Outcome reduce_whole(mesh::QuadMesh &mesh, const Settings &settings, const Progress &progress) {
+    return rework(mesh, 1, false, settings, progress);
+}
+
+} // namespace alphamst::adapt
