@@ -88,7 +88,7 @@ int Sweep::partner(int vertex) const {
 patch::GrowthPlan Sweep::plan_window(int vertex, int size) {
     patch::GrowthPlan plan;
     plan.start = vertex;
-    plan.most = std::max(4, static_cast<int>(size * (70 + random_() % 60) / 100));
+    plan.most = std::max(4, static_cast<int>(static_cast<std::uint64_t>(size) * (70 + random_() % 60) / 100));
     switch (random_() % 4) {
     case 0:
         plan.nearness = patch::Nearness::ellipse;
@@ -132,11 +132,15 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
     const auto slack = std::max<std::int64_t>(8, std::llround(pass.slack * static_cast<double>(wanted_)));
     const std::int64_t low = std::min<std::int64_t>(0, missing() - slack),
                        high = std::max<std::int64_t>(0, missing() + slack);
-    // Nor may faces gather where they are not wanted.
-    const auto scarce = static_cast<std::int64_t>(share * (1 - crowding)),
-               dense = static_cast<std::int64_t>(share * (1 + crowding));
-    goal.fewest = std::max({now / 2, now + low, std::min(now, scarce), std::int64_t{1}});
-    goal.most = std::max(goal.fewest, std::min({2 * now, now + high, std::max(now, dense)}));
+    goal.fewest = std::max({now / 2, now + low, std::int64_t{1}});
+    goal.most = std::min(2 * now, now + high);
+    if (density_) { // nor may faces gather where they are not wanted
+        goal.fewest = std::max<std::int64_t>(
+            goal.fewest, std::min<std::int64_t>(now, std::llround(share * (1 - crowding))));
+        goal.most =
+            std::max(goal.fewest,
+                     std::min(goal.most, std::max<std::int64_t>(now, std::llround(share * (1 + crowding)))));
+    }
     goal.faces = std::clamp<std::int64_t>(std::llround(share), goal.fewest, goal.most);
     return goal;
 }
