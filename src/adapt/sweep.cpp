@@ -169,8 +169,9 @@ void Sweep::plan_round(const Pass &pass, std::vector<int> &waiting, Round &round
              !mesh_.singular(vertex)))
             continue;
         Place place;
-        place.faces = growth_.disk(plan_window(vertex, pass.size), rim_layers);
-        if (place.faces.empty()) {
+        place.faces = growth_.disk(plan_window(vertex, pass.size));
+        std::vector<int> all = growth_.surround(place.faces, rim_layers);
+        if (place.faces.empty() || growth_.any_taken(all)) {
             if (!round.places.empty()) {
                 later.push_back(waiting[next]);
                 ++postponed;
@@ -181,10 +182,8 @@ void Sweep::plan_round(const Pass &pass, std::vector<int> &waiting, Round &round
         if (!goal)
             continue;
         postponed = 0;
-        place.rim = growth_.surround(place.faces, rim_layers);
-        place.rim.erase(place.rim.begin(),
-                        place.rim.begin() + static_cast<std::ptrdiff_t>(place.faces.size()));
-        growth_.take(place.faces, rim_layers);
+        place.rim.assign(all.begin() + static_cast<std::ptrdiff_t>(place.faces.size()), all.end());
+        growth_.take(all);
         round.goals.push_back(*goal);
         round.places.push_back(std::move(place));
     }

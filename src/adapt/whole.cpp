@@ -37,8 +37,13 @@ Settings hasty(Settings settings) {
 // What all but one in a hundred faces of the mesh exceed, and some room to move.
 double working_quality(const mesh::QuadMesh &mesh, const geometry::Points &positions) {
     std::vector<double> quality;
-    for (const auto &quad : mesh.faces())
-        quality.push_back(geometry::judge({&quad, 1}, positions).min_scaled_jacobian);
+    constexpr std::array<std::array<int, 4>, 1> alone = {{{0, 1, 2, 3}}};
+    for (const auto &quad : mesh.faces()) {
+        geometry::Points corners;
+        for (const int v : quad)
+            corners.push_back(positions[static_cast<std::size_t>(v)]);
+        quality.push_back(geometry::judge(alone, std::move(corners)).min_scaled_jacobian);
+    }
     const auto nth = quality.begin() + static_cast<std::ptrdiff_t>(quality.size() / 100);
     std::nth_element(quality.begin(), nth, quality.end());
     return std::clamp(0.75 * *nth, least_quality, best_quality);

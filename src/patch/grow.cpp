@@ -20,7 +20,8 @@ OpenMesh::Vec3d middle(const mesh::QuadMesh &mesh, int face) {
 }
 
 // Squared distance of p in the metric of the plan.
-double distance(const mesh::QuadMesh &mesh, const GrowthPlan &plan, const OpenMesh::Vec3d &p) {
+double distance(const mesh::QuadMesh &mesh, const GrowthPlan &plan, double cosine, double sine,
+                const OpenMesh::Vec3d &p) {
     const OpenMesh::Vec3d away = p - mesh.point(plan.start);
     if (plan.nearness == Nearness::path) {
         const OpenMesh::Vec3d along = mesh.point(plan.other) - mesh.point(plan.start);
@@ -30,7 +31,7 @@ double distance(const mesh::QuadMesh &mesh, const GrowthPlan &plan, const OpenMe
     }
     if (plan.nearness == Nearness::ellipse) {
         constexpr double slenderness = 2.5;
-        const double along = away[0] * std::cos(plan.direction) + away[1] * std::sin(plan.direction);
+        const double along = away[0] * cosine + away[1] * sine;
         return away.sqrnorm() - along * along * (1 - 1 / (slenderness * slenderness));
     }
     return away.sqrnorm();
@@ -92,13 +93,14 @@ void Growth::fill_corners(std::size_t most) {
         }
 }
 
-std::vector<int> Growth::disk(const GrowthPlan &plan, int layers) {
+std::vector<int> Growth::disk(const GrowthPlan &plan) {
     begin();
     using Step = std::tuple<int, double, int>; // steps across edges, distance, face
     std::priority_queue<Step, std::vector<Step>, std::greater<>> front;
+    const double cosine = std::cos(plan.direction), sine = std::sin(plan.direction);
     const bool by_steps = plan.nearness == Nearness::rings;
     auto offer = [&](int steps, int face) {
-        front.push({by_steps ? steps : 0, distance(mesh_, plan, middle(mesh_, face)), face});
+        front.push({by_steps ? steps : 0, distance(mesh_, plan, cosine, sine, middle(mesh_, face)), face});
     };
     for (const int f : mesh_.faces_around(plan.start))
         offer(0, f);
@@ -116,9 +118,8 @@ std::vector<int> Growth::disk(const GrowthPlan &plan, int layers) {
     }
     fill_corners(at(plan.most) + at(plan.most) / 2);
     std::vector<int> disk = faces_;
-    for (const int f : layers > 0 ? surround(disk, layers) : disk)
-        if (is_taken(f))
-            return {};
+    if (any_taken(disk))
+        return {};
     std::sort(disk.begin(), disk.end());
     return disk;
 }
@@ -126,24 +127,36 @@ std::vector<int> Growth::disk(const GrowthPlan &plan, int layers) {
 std::vector<int> Growth::surround(const std::vector<int> &faces, int layers) {
     begin();
     for (const int f : faces)
-        if (!in(f))
-            add(f);
+        if (!in(f)) {
+            face_mark_[at(f)] = epoch_;
+            faces_.push_back(f);
+        }
     std::size_t first = 0;
     for (int layer = 0; layer < layers; ++layer) {
         const std::size_t last = faces_.size();
         for (std::size_t i = first; i < last; ++i)
-            for (const int v : mesh_.corners(faces_[i]))
+            for (const int v : mesh_.corners(faces_[i])) {
+                if (vertex_mark_[at(v)] == epoch_)
+                    continue; // its faces are here
+                vertex_mark_[at(v)] = epoch_;
                 for (const int f : mesh_.faces_around(v))
-                    if (!in(f))
-                        add(f);
+                    if (!in(f)) {
+                        face_mark_[at(f)] = epoch_;
+                        faces_.push_back(f);
+                    }
+            }
         first = last;
     }
     return faces_;
 }
 
-void Growth::take(const std::vector<int> &faces, int layers) {
-    for (const int f : surround(faces, layers))
+void Growth::take(const std::vector<int> &faces) {
+    for (const int f : faces)
         taken_[at(f)] = round_;
+}
+
+bool Growth::any_taken(const std::vector<int> &faces) const {
+    return std::any_of(faces.begin(), faces.end(), [&](int f) { return is_taken(f); });
 }
 
 } // namespace alphamst::patch

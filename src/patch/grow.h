@@ -33,13 +33,13 @@ public:
 
     // Nothing is taken any more.
     void release();
-    // These faces and the `layers` of faces around them are taken: no disk will hold them.
-    void take(const std::vector<int> &faces, int layers);
+    // No disk will hold these faces.
+    void take(const std::vector<int> &faces);
+    bool any_taken(const std::vector<int> &faces) const;
 
     // Ascending faces of a disk without flagged or marked entities inside; corners between
-    // two faces of the disk are filled up at the end. Empty if a taken face stands within
-    // `layers` layers of it, or at it: later, then.
-    std::vector<int> disk(const GrowthPlan &plan, int layers);
+    // two faces of the disk are filled up at the end. Empty if a taken face stands in the way.
+    std::vector<int> disk(const GrowthPlan &plan);
 
     // The faces with a vertex in common with these, and so on; with the faces themselves.
     std::vector<int> surround(const std::vector<int> &faces, int layers);

@@ -121,7 +121,7 @@ static void what_is_wrong_is_refused(void **state) {
 
 static void size_is_a_length_at_vertices(void **state) {
     (void)state;
-    double *values = numbers(n_edges);
+    double *values = numbers(2 * n_edges); /* enough for two components */
     int64_t count;
     must(amst_mesh_set_field(mesh, AMST_VERTEX, "size", 1, AMST_CARRY_LINEAR, values, n_vertices));
     no(AMST_ERR_ARGUMENT, AMST_FACE, "size", 1, AMST_CARRY_INHERIT, n_faces);

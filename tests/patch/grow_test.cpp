@@ -21,7 +21,7 @@ TEST(Growth, EveryNearnessGivesADiskOfTheSize) {
             plan.most = most;
             plan.nearness = nearness;
             plan.direction = 0.7;
-            const std::vector<int> faces = growth.disk(plan, 0);
+            const std::vector<int> faces = growth.disk(plan);
             EXPECT_GE(static_cast<int>(faces.size()), most);
             EXPECT_LE(static_cast<int>(faces.size()), most + most / 2);
             EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
@@ -37,7 +37,7 @@ TEST(Growth, APathReachesItsEnd) {
     plan.other = 10 * 21 + 16;
     plan.most = 40;
     plan.nearness = Nearness::path;
-    const std::vector<int> faces = growth.disk(plan, 0);
+    const std::vector<int> faces = growth.disk(plan);
     for (const int v : {plan.start, plan.other})
         for (const int f : mesh.faces_around(v))
             EXPECT_TRUE(std::binary_search(faces.begin(), faces.end(), f));
@@ -49,16 +49,19 @@ TEST(Growth, KeepsOffWhatIsTaken) {
     GrowthPlan plan;
     plan.start = 10 * 31 + 10;
     plan.most = 20;
-    const std::vector<int> first = growth.disk(plan, 2);
+    const std::vector<int> first = growth.disk(plan);
     ASSERT_FALSE(first.empty());
-    growth.take(first, 2);
+    const std::vector<int> around = growth.surround(first, 2);
+    EXPECT_GT(around.size(), first.size());
+    growth.take(around);
+    EXPECT_TRUE(growth.any_taken(first));
     plan.start = 12 * 31 + 14;
-    EXPECT_TRUE(growth.disk(plan, 2).empty());
+    EXPECT_TRUE(growth.disk(plan).empty());
     plan.start = 22 * 31 + 22;
-    EXPECT_FALSE(growth.disk(plan, 2).empty());
+    EXPECT_FALSE(growth.disk(plan).empty());
     growth.release();
     plan.start = 12 * 31 + 14;
-    EXPECT_FALSE(growth.disk(plan, 2).empty());
+    EXPECT_FALSE(growth.disk(plan).empty());
 }
 
 TEST(Growth, StopsAtFlags) {
@@ -70,7 +73,7 @@ TEST(Growth, StopsAtFlags) {
     GrowthPlan plan;
     plan.start = 5 * 11 + 4;
     plan.most = 80;
-    const std::vector<int> faces = growth.disk(plan, 0);
+    const std::vector<int> faces = growth.disk(plan);
     EXPECT_EQ(faces.size(), 60u);
     EXPECT_EQ(defects(mesh, faces), 0);
 }
