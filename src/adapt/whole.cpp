@@ -96,8 +96,9 @@ public:
             for (int k = 0; k < (sizes[i] < large ? 2 : 1); ++k) {
                 if (run(pass, "reduce", part * static_cast<double>(i), part) == 0)
                     break;
-                relax(mesh_, plane_, density_, settings_);
             }
+            if (sweep_.singular() < before)
+                relax(mesh_, plane_, density_, settings_);
             if (sizes[i] >= large && before - sweep_.singular() < worthwhile * before)
                 break;
         }
