@@ -92,6 +92,23 @@ static void reduction_takes_singularities_away(void **state) {
     amst_context_destroy(ctx);
 }
 
+static void equal_for_any_number_of_threads(void **state) {
+    (void)state;
+    int64_t digests[3];
+    const int32_t threads[] = {1, 2, 8};
+    for (int k = 0; k < 3; ++k) {
+        amst_context *ctx = new_context(0);
+        must(amst_context_set_threads(ctx, threads[k]));
+        amst_mesh *mesh = new_disturbed(ctx, 30);
+        must(amst_adapt(mesh, NULL, 1, NULL, NULL));
+        digests[k] = checksum(mesh);
+        amst_mesh_destroy(mesh);
+        amst_context_destroy(ctx);
+    }
+    assert_true(digests[1] == digests[0]);
+    assert_true(digests[2] == digests[0]);
+}
+
 static int stop_at(void *user, double fraction, const char *stage) {
     (void)stage;
     return fraction >= *(const double *)user;
@@ -131,6 +148,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_count_is_exact_and_the_boundary_stays),
         cmocka_unit_test(reduction_takes_singularities_away),
+        cmocka_unit_test(equal_for_any_number_of_threads),
         cmocka_unit_test(a_cancelled_call_leaves_the_mesh),
         cmocka_unit_test(a_curved_mesh_is_refused),
     };
