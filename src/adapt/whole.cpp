@@ -72,6 +72,8 @@ public:
 
     // Faces go to where a size field wants them, before singularities are saved.
     void spread() {
+        if (!density_)
+            return;
         for (const int size : {60, 100, 60, 100, 160}) {
             Pass pass;
             pass.purpose = Purpose::spread;
@@ -79,7 +81,7 @@ public:
             pass.slack = 0.2;
             pass.shape = wish(1);
             pass.most_added = 8;
-            if (density_ && run(pass, "spread", 0, 0) > 0)
+            if (run(pass, "spread", 0, 0) > 0)
                 relax(mesh_, plane_, density_, settings_);
         }
     }
@@ -93,10 +95,9 @@ public:
             pass.slack = sizes[i] <= large ? slack : slack * large / (2 * sizes[i]);
             pass.shape = wish(1);
             const int before = sweep_.singular();
-            for (int k = 0; k < (sizes[i] < large ? 2 : 1); ++k) {
+            for (int k = 0; k < (sizes[i] < large ? 2 : 1); ++k)
                 if (run(pass, "reduce", part * static_cast<double>(i), part) == 0)
                     break;
-            }
             if (sweep_.singular() < before)
                 relax(mesh_, plane_, density_, settings_);
             if (sizes[i] >= large && before - sweep_.singular() < worthwhile * before)

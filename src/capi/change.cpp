@@ -4,6 +4,7 @@
 #include <string>
 
 #include "adapt/carry.h"
+#include "adapt/tally.h"
 #include "capi/guard.h"
 
 namespace alphamst::capi {
@@ -15,21 +16,6 @@ void tell(Context &context, double fraction, const char *stage) {
         context.progress != nullptr && context.progress(context.progress_user, fraction, stage) != 0;
     if (stop || context.cancel.load())
         throw Failure(Fault::cancelled, "the operation was cancelled");
-}
-
-std::map<int, std::int64_t> valences(const mesh::QuadMesh &mesh) {
-    std::map<int, std::int64_t> counts;
-    for (int v = 0; v < mesh.n_vertices(); ++v)
-        if (!mesh.isolated(v) && !mesh.on_boundary(v))
-            ++counts[mesh.valence(v)];
-    return counts;
-}
-
-std::int64_t singular(const std::map<int, std::int64_t> &valences) {
-    std::int64_t count = 0;
-    for (const auto &[valence, vertices] : valences)
-        count += valence == 4 ? 0 : vertices;
-    return count;
 }
 
 Report::Row row_of(const adapt::Outcome &outcome, bool exact) {
@@ -107,10 +93,8 @@ Report Change::report_of(const std::vector<adapt::Outcome> &outcomes, bool exact
 }
 
 void Change::describe_meshes(Report &report) const {
-    report.all.valences_before = valences(*mesh_->current);
-    report.all.valences_after = valences(*copy_);
-    report.all.singular_before = singular(report.all.valences_before);
-    report.all.singular_after = singular(report.all.valences_after);
+    adapt::count(*mesh_->current, report.all.valences_before, report.all.singular_before);
+    adapt::count(*copy_, report.all.valences_after, report.all.singular_after);
     report.vertices = {copy_->n_vertices(), copy_->vertex_origin};
     report.edges = {copy_->n_edges(), copy_->edge_origin};
     report.faces = {copy_->n_faces(), copy_->face_origin};
