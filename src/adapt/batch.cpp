@@ -100,7 +100,7 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
             progress(static_cast<double>(done) / static_cast<double>(patches.size()), stage);
             const std::size_t last = std::min(batch.size(), first + round);
             std::vector<Proposal> proposals(last - first);
-            auto propose_one = [&](std::size_t i) {
+            auto propose_one = [&](std::size_t i, std::size_t) {
                 Region region = patches[batch[first + i]];
                 for (int &corner : region.corners)
                     corner = numbers.vertex(corner);

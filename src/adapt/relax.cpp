@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "adapt/tally.h"
+#include "adapt/workers.h"
 #include "geometry/embed.h"
 #include "geometry/star.h"
 #include "patch/region.h"
@@ -70,6 +71,10 @@ void relax(mesh::QuadMesh &mesh, const geometry::Plane &plane, const std::option
     options.patient = settings.patient;
     options.least_area = settings.least_area;
     options.area = area;
+    const Workers workers(settings.threads);
+    options.run = [&](std::size_t n, const std::function<void(std::size_t)> &work) {
+        workers.run(n, [&](std::size_t i, std::size_t) { work(i); });
+    };
     const auto result = geometry::improve(mesh.faces(), fixed, std::move(positions), options);
     for (int v = 0; v < mesh.n_vertices(); ++v) {
         if (fixed[at(v)])

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "patch/region.h"
+
 namespace alphamst::adapt {
 namespace {
 
@@ -31,11 +33,11 @@ std::string name_defects(std::int32_t bits) {
 
 Site::Site(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings)
     : mesh_(mesh), goal_(goal), settings_(settings) {
-    const std::int32_t bits = patch::defects(mesh, patch.faces);
+    patch::Region region(mesh, patch.faces);
+    const std::int32_t bits = patch::defects_of(mesh, region);
     if (bits != 0)
         throw Refusal{Fault::patch, name_defects(bits)};
-    window = patch::make_window(mesh, patch.faces);
-    angles_ = patch::loop_angles(mesh, window);
+    window = patch::window_of(mesh, std::move(region));
     regular_ = window.wanted;
     if (!patch.corners.empty())
         use_corners(patch.corners);
@@ -104,7 +106,7 @@ fill::Request Site::request() const {
     for (std::size_t i = 0; i < window.loop.size(); ++i)
         request.regular.push_back(
             corners_given_ || mesh_.on_boundary(window.loop[i]) ? regular_[i] : 4 - window.outside[i]);
-    request.angles = angles_;
+    request.angles = window.angles;
     request.least_sine = least_sine_;
     request.faces = goal_.faces;
     request.any_count = goal_.any_count;
@@ -135,10 +137,10 @@ void Site::use_corners(const std::vector<int> &corners) {
 
 void Site::keep_angles() {
     least_sine_ = std::min(0.95, old_quality + 0.01);
-    for (std::size_t i = 0; i < angles_.size(); ++i) {
+    for (std::size_t i = 0; i < window.angles.size(); ++i) {
         auto sine = [&](int letter) {
             constexpr double degree = 3.14159265358979323846 / 180;
-            return angles_[i] < 175 * letter ? std::sin(angles_[i] / letter * degree) : -1;
+            return window.angles[i] < 175 * letter ? std::sin(window.angles[i] / letter * degree) : -1;
         };
         int best = window.wanted[i];
         for (int away = 1; away < 3 && sine(best) < least_sine_; ++away)

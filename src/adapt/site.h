@@ -105,7 +105,6 @@ private:
     const Settings &settings_;
     geometry::Plane plane_;
     geometry::Points old_positions_; // loop, then interior
-    std::vector<double> angles_;     // of the loop
     double least_sine_ = 0;
     bool corners_given_ = false;
     std::unordered_map<int, int> local_; // vertex of the mesh -> of old

@@ -14,11 +14,14 @@ namespace alphamst::adapt {
 namespace {
 
 constexpr int rim_layers = 2;
-constexpr std::size_t most_windows = 64; // in a round
-constexpr double crowding = 0.25;        // of the faces wanted in a window
-constexpr double even_enough = 0.15;     // as little as that is not worth spreading faces
-constexpr int most_elsewhere = 16;       // windows around regular vertices, for the count
-constexpr int most_postponed = 24;       // windows in a row that stand in the way of others
+constexpr std::size_t most_windows = 64;   // in a round
+constexpr double crowding = 0.25;          // of the faces wanted in a window
+constexpr double even_enough = 0.15;       // as little as that is not worth spreading faces
+constexpr int most_elsewhere = 16;         // windows around regular vertices, for the count
+constexpr std::size_t most_for_count = 32; // windows that a pass for the count tries
+// Where hardly any window gets refilled, windows of a round may overlap: it seldom matters. Where as many
+// as one in so many does, they would stand in each other's way.
+constexpr int seldom = 8;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -45,17 +48,21 @@ private:
 
 } // namespace
 
+// Windows that are tried together. All arrays are [window].
 struct Sweep::Round {
+    std::vector<int> seeds; // places in seeds_
+    std::vector<fill::Random> luck;
     std::vector<Place> places;
-    std::vector<Goal> goals;
+    std::vector<std::optional<Goal>> goals;
     std::vector<std::optional<Trial>> trials;
 };
 
 Sweep::Sweep(mesh::QuadMesh &mesh, std::vector<double> shares, const std::optional<Density> &density,
              const Settings &settings)
     : mesh_(mesh), settings_(settings), shares_(std::move(shares)), density_(density),
-      wanted_(std::llround(std::accumulate(shares_.begin(), shares_.end(), 0.0))), growth_(mesh),
-      workers_(settings.threads), random_(settings.seed), singular_(static_cast<int>(irregular().size())) {}
+      wanted_(std::llround(std::accumulate(shares_.begin(), shares_.end(), 0.0))), workers_(settings.threads),
+      growths_(static_cast<std::size_t>(workers_.count()), patch::Growth(mesh)), random_(settings.seed),
+      singular_(static_cast<int>(irregular().size())) {}
 
 std::vector<int> Sweep::irregular() const {
     std::vector<int> vertices;
@@ -85,14 +92,14 @@ int Sweep::partner(int vertex) const {
     return -1;
 }
 
-patch::GrowthPlan Sweep::plan_window(int vertex, int size) {
+patch::GrowthPlan Sweep::plan_window(int vertex, int size, fill::Random random) const {
     patch::GrowthPlan plan;
     plan.start = vertex;
-    plan.most = std::max(4, static_cast<int>(static_cast<std::uint64_t>(size) * (70 + random_() % 60) / 100));
-    switch (random_() % 4) {
+    plan.most = std::max(4, static_cast<int>(static_cast<std::uint64_t>(size) * (70 + random() % 60) / 100));
+    switch (random() % 4) {
     case 0:
         plan.nearness = patch::Nearness::ellipse;
-        plan.direction = static_cast<double>(random_() % 180) * std::numbers::pi / 180;
+        plan.direction = static_cast<double>(random() % 180) * std::numbers::pi / 180;
         break;
     case 1:
         plan.nearness = patch::Nearness::rings;
@@ -156,39 +163,71 @@ bool Sweep::welcome(const Pass &pass, const Trial &trial) const {
            static_cast<double>(miss) <= std::max(8.0, pass.slack * static_cast<double>(wanted_));
 }
 
-void Sweep::plan_round(const Pass &pass, std::vector<int> &waiting, Round &round) {
-    growth_.release();
-    std::vector<int> later;
-    int postponed = 0;
-    std::size_t next = 0;
-    for (; next < waiting.size() && round.places.size() < most_windows && postponed < most_postponed;
-         ++next) {
-        const int vertex = seeds_[at(waiting[next])];
+// The next windows whose seeds are still worth it, grown.
+Sweep::Round Sweep::plan_round(const Pass &pass) {
+    Round round;
+    while (!waiting_.empty() && round.seeds.size() < most_windows) {
+        const int next = waiting_.front(), vertex = seeds_[at(next)];
+        waiting_.pop_front();
         if (vertex < 0 || mesh_.isolated(vertex) ||
             (pass.purpose == Purpose::fewer_singularities && !mesh_.on_boundary(vertex) &&
              !mesh_.singular(vertex)))
             continue;
-        Place place;
-        place.faces = growth_.disk(plan_window(vertex, pass.size));
-        std::vector<int> all = growth_.surround(place.faces, rim_layers);
-        if (place.faces.empty() || growth_.any_taken(all)) {
-            if (!round.places.empty()) {
-                later.push_back(waiting[next]);
-                ++postponed;
-            }
+        round.seeds.push_back(next);
+        round.luck.emplace_back(random_());
+    }
+    grow_windows(pass, round);
+    choose_windows(pass, round);
+    return round;
+}
+
+void Sweep::grow_windows(const Pass &pass, Round &round) {
+    round.places.resize(round.seeds.size());
+    round.goals.resize(round.seeds.size());
+    workers_.run(round.seeds.size(), [&](std::size_t i, std::size_t worker) {
+        patch::Growth &growth = growths_[worker];
+        Place &place = round.places[i];
+        place.faces = growth.disk(plan_window(seeds_[at(round.seeds[i])], pass.size, round.luck[i]));
+        if (place.faces.empty())
+            return;
+        const std::vector<int> all = growth.surround(place.faces, rim_layers);
+        place.rim.assign(all.begin() + static_cast<std::ptrdiff_t>(place.faces.size()), all.end());
+        round.goals[i] = goal_of(pass, place.faces);
+    });
+}
+
+// Marks the faces of a window and its rim as taken, unless one is already.
+bool Sweep::take(const Place &place) {
+    for (const auto *faces : {&place.faces, &place.rim})
+        for (const int f : *faces)
+            if (taken_[at(f)] == epoch_)
+                return false;
+    for (const auto *faces : {&place.faces, &place.rim})
+        for (const int f : *faces)
+            taken_[at(f)] = epoch_;
+    return true;
+}
+
+// Leaves those with a goal in the round; those that would stand in the way of others wait.
+void Sweep::choose_windows(const Pass &pass, Round &round) {
+    taken_.resize(std::max(taken_.size(), at(mesh_.n_faces())), 0);
+    ++epoch_;
+    const bool apart = pass.purpose == Purpose::count || refilled_ * seldom >= tried_;
+    Round chosen;
+    std::vector<int> later;
+    for (std::size_t i = 0; i < round.seeds.size(); ++i) {
+        if (!round.goals[i])
+            continue;
+        if (apart && !take(round.places[i])) {
+            later.push_back(round.seeds[i]);
             continue;
         }
-        const std::optional<Goal> goal = goal_of(pass, place.faces);
-        if (!goal)
-            continue;
-        postponed = 0;
-        place.rim.assign(all.begin() + static_cast<std::ptrdiff_t>(place.faces.size()), all.end());
-        growth_.take(all);
-        round.goals.push_back(*goal);
-        round.places.push_back(std::move(place));
+        chosen.seeds.push_back(round.seeds[i]);
+        chosen.places.push_back(std::move(round.places[i]));
+        chosen.goals.push_back(round.goals[i]);
     }
-    later.insert(later.end(), waiting.begin() + static_cast<std::ptrdiff_t>(next), waiting.end());
-    waiting = std::move(later);
+    waiting_.insert(waiting_.begin(), later.begin(), later.end());
+    round = std::move(chosen);
 }
 
 // Shares, seeds and their places go with what a commit renumbers.
@@ -220,11 +259,20 @@ void Sweep::follow(const Proposal &proposal, const mesh::QuadMesh::Replaced &rep
     place_.resize(at(mesh_.n_vertices()));
 }
 
-void Sweep::commit_round(const Pass &pass, Round &round, int &done) {
+// In order; a window that overlaps one refilled before it waits for another round.
+void Sweep::commit_round(const Pass &pass, Round &round) {
     Renumbered faces, vertices;
-    for (auto &trial : round.trials) {
+    std::vector<int> later;
+    ++epoch_;
+    for (std::size_t i = 0; i < round.trials.size(); ++i) {
+        auto &trial = round.trials[i];
+        ++tried_;
         if (!trial || !welcome(pass, *trial))
             continue;
+        if (!take(round.places[i])) {
+            later.push_back(round.seeds[i]);
+            continue;
+        }
         Proposal &proposal = trial->proposal;
         for (int &f : proposal.window.faces)
             f = faces.now(f);
@@ -244,8 +292,9 @@ void Sweep::commit_round(const Pass &pass, Round &round, int &done) {
         for (const auto &[from, to] : replaced.moved_vertices)
             vertices.move(from, to);
         singular_ += trial->singular_change;
-        ++done;
+        ++refilled_;
     }
+    waiting_.insert(waiting_.begin(), later.begin(), later.end());
 }
 
 // In random order.
@@ -260,30 +309,29 @@ std::vector<int> Sweep::choose_seeds(const Pass &pass) {
     seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
     for (std::size_t i = seeds.size(); i > 1; --i)
         std::swap(seeds[i - 1], seeds[random_() % i]);
+    if (pass.purpose == Purpose::count)
+        seeds.resize(std::min(seeds.size(), most_for_count));
     return seeds;
 }
 
 int Sweep::run(const Pass &pass, const std::function<void(double)> &between) {
     seeds_ = choose_seeds(pass);
     place_.assign(at(mesh_.n_vertices()), -1);
-    std::vector<int> waiting(seeds_.size());
-    std::iota(waiting.begin(), waiting.end(), 0);
-    for (const int i : waiting)
+    waiting_.resize(seeds_.size());
+    std::iota(waiting_.begin(), waiting_.end(), 0);
+    for (const int i : waiting_)
         place_[at(seeds_[at(i)])] = i;
-    int done = 0;
-    while (!waiting.empty() && !(pass.purpose == Purpose::count && missing() == 0)) {
-        between(1 - static_cast<double>(waiting.size()) / static_cast<double>(seeds_.size()));
-        Round round;
-        plan_round(pass, waiting, round);
-        if (round.places.empty())
-            break;
+    tried_ = refilled_ = 0;
+    while (!waiting_.empty() && !(pass.purpose == Purpose::count && missing() == 0)) {
+        between(1 - static_cast<double>(waiting_.size()) / static_cast<double>(seeds_.size()));
+        Round round = plan_round(pass);
         round.trials.resize(round.places.size());
-        workers_.run(round.places.size(), [&](std::size_t i) {
-            round.trials[i] = attempt(mesh_, round.places[i], round.goals[i], pass.shape, settings_);
+        workers_.run(round.places.size(), [&](std::size_t i, std::size_t) {
+            round.trials[i] = attempt(mesh_, round.places[i], *round.goals[i], pass.shape, settings_);
         });
-        commit_round(pass, round, done);
+        commit_round(pass, round);
     }
-    return done;
+    return refilled_;
 }
 
 } // namespace alphamst::adapt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "adapt/density.h"
@@ -48,13 +49,16 @@ private:
     struct Round;
 
     std::vector<int> irregular() const;
-    void plan_round(const Pass &pass, std::vector<int> &waiting, Round &round);
-    patch::GrowthPlan plan_window(int vertex, int size);
+    Round plan_round(const Pass &pass);
+    void grow_windows(const Pass &pass, Round &round);
+    void choose_windows(const Pass &pass, Round &round);
+    patch::GrowthPlan plan_window(int vertex, int size, fill::Random random) const;
     int partner(int vertex) const;
+    bool take(const Place &place);
     std::vector<int> choose_seeds(const Pass &pass);
     std::optional<Goal> goal_of(const Pass &pass, const std::vector<int> &faces) const;
     bool welcome(const Pass &pass, const Trial &trial) const;
-    void commit_round(const Pass &pass, Round &round, int &done);
+    void commit_round(const Pass &pass, Round &round);
     void follow(const Proposal &proposal, const mesh::QuadMesh::Replaced &replaced);
 
     mesh::QuadMesh &mesh_;
@@ -62,12 +66,16 @@ private:
     std::vector<double> shares_; // [face]
     const std::optional<Density> &density_;
     std::int64_t wanted_;
-    patch::Growth growth_;
     Workers workers_;
+    std::vector<patch::Growth> growths_; // [worker]
     fill::Random random_;
     int singular_ = 0;
     std::vector<int> place_; // [vertex] in seeds_, -1 if none
     std::vector<int> seeds_; // vertices, -1 if gone
+    std::vector<int> taken_; // [face] epoch_ if a window chosen now holds it
+    int epoch_ = 0;
+    std::deque<int> waiting_;      // places in seeds_
+    int tried_ = 0, refilled_ = 0; // in this run
 };
 
 } // namespace alphamst::adapt

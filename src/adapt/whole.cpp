@@ -21,7 +21,9 @@ constexpr double best_quality = 0.5, least_quality = 0.3, least_shape = 0.1;
 constexpr double poor_price = 5; // quads that may become poor for one singularity less
 
 constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
-constexpr int large = 160;          // windows from here on are tried once
+constexpr int large = 160;
+constexpr int most_of_mesh = 12;    // larger windows than such a part of the mesh hardly ever come right
+constexpr int repeats = 3;          // with windows of one size
 constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
 constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
 constexpr int most_added = 16;      // singularities for the last faces
@@ -29,8 +31,9 @@ constexpr int most_added = 16;      // singularities for the last faces
 // A filling that does not come right soon gives way to another window.
 Settings hasty(Settings settings) {
     settings.patient = false;
-    settings.candidates = std::min(settings.candidates, 4);
+    settings.candidates = std::min(settings.candidates, 3);
     settings.least_area = 0.5;
+    settings.smooth_steps = std::min(settings.smooth_steps, 10);
     return settings;
 }
 
@@ -87,27 +90,35 @@ public:
     }
 
     // Windows grow; what a filling strains spreads far beyond its window, so all is relaxed between.
-    void reduce() {
+    void reduce(int smallest) {
         const double part = 0.8 / static_cast<double>(sizes.size());
+        int idle = 0; // sizes in a row that saved little
         for (std::size_t i = 0; i < sizes.size(); ++i) {
+            if (sizes[i] < smallest || sizes[i] > std::max(large, mesh_.n_faces() / most_of_mesh))
+                continue;
             Pass pass;
             pass.size = sizes[i];
             pass.slack = sizes[i] <= large ? slack : slack * large / (2 * sizes[i]);
             pass.shape = wish(1);
             const int before = sweep_.singular();
-            for (int k = 0; k < (sizes[i] < large ? 2 : 1); ++k)
-                if (run(pass, "reduce", part * static_cast<double>(i), part) == 0)
+            for (int k = 0; k < repeats; ++k)
+                if (const int now = sweep_.singular();
+                    run(pass, "reduce", part * static_cast<double>(i), part) == 0 ||
+                    now - sweep_.singular() < worthwhile * now)
                     break;
             if (sweep_.singular() < before)
                 relax(mesh_, plane_, density_, settings_);
-            if (sizes[i] >= large && before - sweep_.singular() < worthwhile * before)
+            idle = before - sweep_.singular() < worthwhile * before ? idle + 1 : 0;
+            if (sizes[i] >= large && idle > 1)
                 break;
         }
     }
 
     // Windows just large enough to take up what is missing come first; singularities are added, and
     // quality is lost, only where it cannot be had without.
-    void count() {
+    // True if it changed anything.
+    bool count() {
+        const auto missing = sweep_.missing();
         for (int level = 0; level <= most_added && sweep_.missing() != 0; ++level) {
             std::vector<int> order = {40, 60, 100, 160, 250, 400, 600};
             const auto rank = [&](int size) {
@@ -124,6 +135,7 @@ public:
                     done = run(pass, "count", 0.8, 0.15);
             }
         }
+        return sweep_.missing() != missing;
     }
 
     void finish() {
@@ -166,9 +178,11 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
     describe(outcome.valences_before, outcome.singular_before, outcome.quality_before);
     Whole work(mesh, plane, alpha, settings, progress);
     work.spread();
-    work.reduce();
-    if (exact)
+    work.reduce(0);
+    if (exact && work.count()) {
+        work.reduce(60);
         work.count();
+    }
     work.finish();
     outcome.faces_after = mesh.n_faces();
     describe(outcome.valences_after, outcome.singular_after, outcome.quality_after);

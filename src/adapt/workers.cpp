@@ -22,17 +22,32 @@ int concurrency(int threads) {
 
 } // namespace
 
-Workers::Workers(int threads) : count_(concurrency(threads)) {}
+// Made once: it costs more than many a piece of work.
+struct Workers::Arena {
+    explicit Arena(int threads) : threads(threads) {}
+    tbb::task_arena threads;
+};
 
-void Workers::run(std::size_t n, const std::function<void(std::size_t)> &work) const {
-    if (count_ == 1 || n < 2) {
+Workers::Workers(int threads) : count_(concurrency(threads)) {
+    if (count_ > 1)
+        arena_ = std::make_shared<Arena>(count_);
+}
+
+void Workers::run(std::size_t n, const std::function<void(std::size_t, std::size_t)> &work) const {
+    if (!arena_ || n < 2) {
         for (std::size_t i = 0; i < n; ++i)
-            work(i);
+            work(i, 0);
         return;
     }
     // Each piece is its own task: they differ in size by orders of magnitude.
-    tbb::task_arena(count_).execute(
-        [&] { tbb::parallel_for(std::size_t{0}, n, work, tbb::simple_partitioner()); });
+    arena_->threads.execute([&] {
+        tbb::parallel_for(
+            std::size_t{0}, n,
+            [&](std::size_t i) {
+                work(i, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
+            },
+            tbb::simple_partitioner());
+    });
 }
 
 } // namespace alphamst::adapt

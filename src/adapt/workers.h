@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace alphamst::adapt {
 
@@ -13,11 +14,14 @@ public:
 
     int count() const { return count_; }
 
-    // Calls work(0) .. work(n - 1) in any order, and returns when all have ended.
-    void run(std::size_t n, const std::function<void(std::size_t)> &work) const;
+    // Calls work(0, w) .. work(n - 1, w) in any order, and returns when all have ended. No two calls at a
+    // time have the same w, 0 <= w < count().
+    void run(std::size_t n, const std::function<void(std::size_t, std::size_t)> &work) const;
 
 private:
+    struct Arena;
     int count_;
+    std::shared_ptr<Arena> arena_; // null for one thread
 };
 
 } // namespace alphamst::adapt

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,9 @@ struct EmbedOptions {
     double least_area = 0.005;         // of a corner, over the wanted one, that the smallest angles may cost
     double good_enough = 0;            // stop optimising once min scaled Jacobian is at least this; 0: never
     std::span<const double> area = {}; // improve: [quad] wanted; empty: all equal
+    // improve: runs work(0) .. work(n - 1), perhaps at the same time. With it, vertices move in classes
+    // that do not touch; the result does not depend on how it does that.
+    std::function<void(std::size_t n, const std::function<void(std::size_t)> &work)> run = {};
 };
 
 // Tutte start -> move the loop to its place -> untangle (Garanzha et al. 2021) ->

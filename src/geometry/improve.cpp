@@ -1,9 +1,11 @@
 #include "geometry/improve.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
+#include "geometry/colour.h"
 #include "geometry/newton.h"
 #include "geometry/untangle.h"
 
@@ -54,52 +56,100 @@ bool good_enough(const Problem &problem, const Points &points, double wanted) {
     return true;
 }
 
-// Flags for the vertices of quads less open than `least`; empty if there are none.
-std::vector<char> tight_vertices(const Problem &problem, const Points &points, double least) {
-    std::vector<char> tight;
-    for (std::size_t q = 0; q < problem.quads.size(); ++q)
-        if (worst_of(problem, q, points, true).openness() < least) {
-            tight.resize(points.size(), 0);
-            for (const int v : problem.quads[q])
-                tight[static_cast<std::size_t>(v)] = 1;
+// Vertices that still move, moved one by one.
+class BarrierSweep {
+public:
+    BarrierSweep(const Problem &problem, Points &points, Floor floor)
+        : problem_(problem), points_(points), floor_(floor), awake_(points.size()) {
+        std::transform(problem.fixed.begin(), problem.fixed.end(), awake_.begin(),
+                       [](char fixed) { return static_cast<char>(!fixed); });
+    }
+
+    // Close to D = 0 Newton's method on 1/D creeps (D grows by half a step): soften first.
+    void soften(double soft) {
+        soft_ = soft;
+        const auto open = [&](std::size_t q) {
+            return !(worst_of(problem_, q, points_, true).openness() < soft);
+        };
+        if (tight_.empty()) {
+            tight_.resize(points_.size(), 0);
+            for (std::size_t q = 0; q < problem_.quads.size(); ++q)
+                if (!open(q))
+                    tight_quads_.push_back(q);
+        } else {
+            mark_tight(0);
+            std::erase_if(tight_quads_, open);
         }
-    return tight;
+        mark_tight(1);
+    }
+
+    // True if the vertex moved far. Vertices without a common quad may be moved at the same time.
+    bool move(int vertex) {
+        const auto v = static_cast<std::size_t>(vertex);
+        const auto star = problem_.stars.at(vertex);
+        if (!awake_[v] || problem_.fixed[v] || star.empty())
+            return false;
+        awake_[v] = 0;
+        const Barrier barrier{.area = problem_.area};
+        double distance = 0;
+        if (tight_[v]) {
+            Barrier softened = barrier;
+            softened.epsilon = soft_;
+            distance = relax(softened, star, points_, vertex, std::max(floor_, least_square));
+        }
+        distance = std::max(distance, relax(barrier, star, points_, vertex, floor_));
+        if (distance <= still * still * problem_.area[static_cast<std::size_t>(star[0].quad)])
+            return false;
+        awake_[v] = 1;
+        for (const Sector &s : star)
+            for (const int w : {s.next, s.opposite, s.previous})
+                std::atomic_ref(awake_[static_cast<std::size_t>(w)]).store(1, std::memory_order_relaxed);
+        return true;
+    }
+
+private:
+    void mark_tight(char value) {
+        for (const std::size_t q : tight_quads_)
+            for (const int v : problem_.quads[q])
+                tight_[static_cast<std::size_t>(v)] = value;
+    }
+
+    const Problem &problem_;
+    Points &points_;
+    const Floor floor_;
+    double soft_ = 0;
+    std::vector<char> awake_, tight_;      // [vertex]
+    std::vector<std::size_t> tight_quads_; // only those that were tight at the start
+};
+
+// Whether any of the vertices moved far.
+bool move_class(BarrierSweep &sweep, const std::vector<int> &vertices, const EmbedOptions &options) {
+    constexpr std::size_t piece = 256; // vertices at least that make up for a change of thread
+    std::vector<char> moved((vertices.size() + piece - 1) / piece, 0);
+    options.run(moved.size(), [&](std::size_t i) {
+        const std::size_t last = std::min(vertices.size(), (i + 1) * piece);
+        for (std::size_t k = i * piece; k < last; ++k)
+            moved[i] |= sweep.move(vertices[k]);
+    });
+    return std::find(moved.begin(), moved.end(), 1) != moved.end();
 }
 
 // False if it stopped because the result is good enough.
 bool sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
-    Barrier barrier{.area = problem.area};
-    std::vector<char> awake(points.size()), tight;
-    std::transform(problem.fixed.begin(), problem.fixed.end(), awake.begin(),
-                   [](char fixed) { return static_cast<char>(!fixed); });
-    for (int sweep = 0; sweep < options.steps; ++sweep) {
+    BarrierSweep sweep(problem, points, floor);
+    std::vector<std::vector<int>> classes;
+    if (options.run)
+        classes = colour(problem);
+    for (int step = 0; step < options.steps; ++step) {
         if (good_enough(problem, points, options.good_enough))
             return false;
-        // Close to D = 0 Newton's method on 1/D creeps (D grows by half a step): soften first.
-        const double soft = softest * std::pow(0.5, sweep);
-        if (sweep == 0 || !tight.empty())
-            tight = tight_vertices(problem, points, soft);
+        sweep.soften(softest * std::pow(0.5, step));
         bool moved = false;
-        for (std::size_t v = 0; v < points.size(); ++v) {
-            const auto star = problem.stars.at(static_cast<int>(v));
-            if (!awake[v] || problem.fixed[v] || star.empty())
-                continue;
-            awake[v] = 0;
-            double distance = 0;
-            if (!tight.empty() && tight[v]) {
-                barrier.epsilon = soft;
-                distance = relax(barrier, star, points, static_cast<int>(v), std::max(floor, least_square));
-                barrier.epsilon = 0;
-            }
-            distance = std::max(distance, relax(barrier, star, points, static_cast<int>(v), floor));
-            if (distance <= still * still * problem.area[static_cast<std::size_t>(star[0].quad)])
-                continue;
-            moved = true;
-            awake[v] = 1;
-            for (const Sector &s : star)
-                for (const int w : {s.next, s.opposite, s.previous})
-                    awake[static_cast<std::size_t>(w)] = 1;
-        }
+        for (const auto &vertices : classes)
+            moved |= move_class(sweep, vertices, options);
+        if (!options.run)
+            for (int v = 0; v < static_cast<int>(points.size()); ++v)
+                moved |= sweep.move(v);
         if (!moved)
             break;
     }

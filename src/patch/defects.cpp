@@ -4,9 +4,12 @@
 namespace alphamst::patch {
 
 std::int32_t defects(const mesh::QuadMesh &mesh, std::span<const int> faces) {
-    if (faces.empty())
+    return defects_of(mesh, Region(mesh, faces));
+}
+
+std::int32_t defects_of(const mesh::QuadMesh &mesh, const Region &region) {
+    if (region.faces.empty())
         return empty;
-    const Region region(mesh, faces);
     std::int32_t found = 0;
 
     const std::size_t n_parts = parts(mesh, region.faces, true).size();

@@ -39,12 +39,9 @@ double distance(const mesh::QuadMesh &mesh, const GrowthPlan &plan, double cosin
 
 } // namespace
 
-void Growth::release() { ++round_; }
-
 void Growth::begin() {
     face_mark_.resize(std::max(face_mark_.size(), at(mesh_.n_faces())), 0);
     vertex_mark_.resize(std::max(vertex_mark_.size(), at(mesh_.n_vertices())), 0);
-    taken_.resize(face_mark_.size(), 0);
     ++epoch_;
     faces_.clear();
 }
@@ -109,8 +106,6 @@ std::vector<int> Growth::disk(const GrowthPlan &plan) {
         front.pop();
         if (in(face) || !fits(face))
             continue;
-        if (is_taken(face))
-            return {};
         add(face);
         for (const int next : mesh_.neighbours(face))
             if (next >= 0 && !in(next))
@@ -118,8 +113,6 @@ std::vector<int> Growth::disk(const GrowthPlan &plan) {
     }
     fill_corners(at(plan.most) + at(plan.most) / 2);
     std::vector<int> disk = faces_;
-    if (any_taken(disk))
-        return {};
     std::sort(disk.begin(), disk.end());
     return disk;
 }
@@ -148,15 +141,6 @@ std::vector<int> Growth::surround(const std::vector<int> &faces, int layers) {
         first = last;
     }
     return faces_;
-}
-
-void Growth::take(const std::vector<int> &faces) {
-    for (const int f : faces)
-        taken_[at(f)] = round_;
-}
-
-bool Growth::any_taken(const std::vector<int> &faces) const {
-    return std::any_of(faces.begin(), faces.end(), [&](int f) { return is_taken(f); });
 }
 
 } // namespace alphamst::patch

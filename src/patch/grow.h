@@ -31,14 +31,8 @@ class Growth {
 public:
     explicit Growth(const mesh::QuadMesh &mesh) : mesh_(mesh) {}
 
-    // Nothing is taken any more.
-    void release();
-    // No disk will hold these faces.
-    void take(const std::vector<int> &faces);
-    bool any_taken(const std::vector<int> &faces) const;
-
     // Ascending faces of a disk without flagged or marked entities inside; corners between
-    // two faces of the disk are filled up at the end. Empty if a taken face stands in the way.
+    // two faces of the disk are filled up at the end.
     std::vector<int> disk(const GrowthPlan &plan);
 
     // The faces with a vertex in common with these, and so on; with the faces themselves.
@@ -46,15 +40,14 @@ public:
 
 private:
     bool in(int face) const { return face >= 0 && face_mark_[static_cast<std::size_t>(face)] == epoch_; }
-    bool is_taken(int face) const { return taken_[static_cast<std::size_t>(face)] == round_; }
     bool fits(int face) const;
     void add(int face);
     void begin();
     void fill_corners(std::size_t most);
 
     const mesh::QuadMesh &mesh_;
-    std::vector<int> face_mark_, vertex_mark_, taken_;
-    int epoch_ = 0, round_ = 1;
+    std::vector<int> face_mark_, vertex_mark_;
+    int epoch_ = 0;
     std::vector<int> faces_;
 };
 

@@ -40,19 +40,20 @@ bool barrier(const mesh::QuadMesh &mesh, Halfedge h) {
 bool held(const mesh::QuadMesh &mesh, int vertex) { return at(mesh.vertex_flags, vertex) & any_flag; }
 
 bool pinned(const mesh::QuadMesh &mesh, int v) {
-    if (mesh.on_boundary(v) || mesh.vertex_flags[static_cast<std::size_t>(v)] != 0)
+    if (mesh.on_boundary(v) || at(mesh.vertex_flags, v) != 0)
         return true;
-    for (const int w : mesh.vertices_around(v)) {
-        const auto e = static_cast<std::size_t>(mesh.find_edge(v, w));
-        if (mesh.edge_flags[e] != 0 || (!mesh.edge_marker.empty() && mesh.edge_marker[e] != 0))
+    const Kernel &kernel = mesh.kernel();
+    const Halfedge start = kernel.halfedge_handle(Kernel::VertexHandle(v));
+    const std::int32_t marker = at(mesh.face_marker, left(mesh, start));
+    Halfedge h = start;
+    do {
+        const int edge = kernel.edge_handle(h).idx(), face = left(mesh, h);
+        if (at(mesh.edge_flags, edge) != 0 || at(mesh.edge_marker, edge) != 0 ||
+            (at(mesh.face_flags, face) & mesh::fixed) != 0 || at(mesh.face_marker, face) != marker)
             return true;
-    }
-    const std::vector<int> faces = mesh.faces_around(v);
-    return std::any_of(faces.begin(), faces.end(), [&](int f) {
-        const auto at = static_cast<std::size_t>(f), first = static_cast<std::size_t>(faces[0]);
-        return (mesh.face_flags[at] & mesh::fixed) != 0 ||
-               (!mesh.face_marker.empty() && mesh.face_marker[at] != mesh.face_marker[first]);
-    });
+        h = kernel.opposite_halfedge_handle(kernel.prev_halfedge_handle(h));
+    } while (h != start);
+    return false;
 }
 
 Region::Region(const mesh::QuadMesh &mesh, std::span<const int> given) : faces(sorted_unique(given)) {

@@ -63,7 +63,10 @@ std::vector<Halfedge> walk(const mesh::QuadMesh &mesh, const Region &region) {
 } // namespace
 
 Window make_window(const mesh::QuadMesh &mesh, std::span<const int> faces) {
-    Region region(mesh, faces);
+    return window_of(mesh, Region(mesh, faces));
+}
+
+Window window_of(const mesh::QuadMesh &mesh, Region region) {
     const std::vector<Halfedge> path = walk(mesh, region);
     if (path.empty() || path.size() != region.boundary.size() || region.pinched(mesh))
         throw Failure(Fault::patch, "the faces of a patch do not form a disk");
@@ -75,18 +78,11 @@ Window make_window(const mesh::QuadMesh &mesh, std::span<const int> faces) {
         window.inside.push_back(star.inside);
         window.outside.push_back(star.outside);
         window.wanted.push_back(wanted_at(star));
+        window.angles.push_back(star.inside_angle);
     }
     window.faces = std::move(region.faces);
     window.interior = std::move(region.interior);
     return window;
-}
-
-std::vector<double> loop_angles(const mesh::QuadMesh &mesh, const Window &window) {
-    std::vector<double> angles;
-    angles.reserve(window.loop.size());
-    for (const Halfedge h : walk(mesh, Region(mesh, window.faces)))
-        angles.push_back(star_of(mesh, window.faces, h).inside_angle);
-    return angles;
 }
 
 int singularities(const mesh::QuadMesh &mesh, const Window &window) {

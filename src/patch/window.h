@@ -11,6 +11,8 @@
 
 namespace alphamst::patch {
 
+struct Region;
+
 // Numbers equal those of enum amst_defect.
 enum Defect : std::int32_t {
     empty = 1,
@@ -31,6 +33,8 @@ struct Window {
     std::vector<int> inside;   // [loop] faces of the window at each boundary vertex
     std::vector<int> outside;  // [loop] faces of the mesh outside the window at it
     std::vector<int> wanted;   // [loop] the boundary word: faces inside that make the vertex regular
+    // [loop] interior angle of the window, degrees, from the angles of its faces
+    std::vector<double> angles;
 };
 
 // Defect bits of a face set (empty, not_connected, not_disk, pinched,
@@ -38,6 +42,7 @@ struct Window {
 // or CORNER, an edge with a marker, or two faces of different markers, is crosses_feature; so is a face
 // that is FIXED.
 std::int32_t defects(const mesh::QuadMesh &mesh, std::span<const int> faces);
+std::int32_t defects_of(const mesh::QuadMesh &mesh, const Region &region);
 
 // The window of a face set whose defects are 0.
 //
@@ -45,9 +50,7 @@ std::int32_t defects(const mesh::QuadMesh &mesh, std::span<const int> faces);
 // outside at a vertex of the mesh boundary, at least 1. Where the angle inside the window is
 // not below 175 degrees it is at least 2, and so on for 2 x 175: a corner cannot span it.
 Window make_window(const mesh::QuadMesh &mesh, std::span<const int> faces);
-
-// Interior angle of the window at each loop vertex, degrees, from the angles of its faces.
-std::vector<double> loop_angles(const mesh::QuadMesh &mesh, const Window &window);
+Window window_of(const mesh::QuadMesh &mesh, Region region);
 
 // 0..1: area of the window over the area of its planar convex hull (in its mean
 // plane); 1 is convex.

@@ -43,25 +43,18 @@ TEST(Growth, APathReachesItsEnd) {
             EXPECT_TRUE(std::binary_search(faces.begin(), faces.end(), f));
 }
 
-TEST(Growth, KeepsOffWhatIsTaken) {
+TEST(Growth, SurroundsADiskLayerByLayer) {
     const mesh::QuadMesh mesh = testing::grid(30, 30);
     Growth growth(mesh);
     GrowthPlan plan;
     plan.start = 10 * 31 + 10;
-    plan.most = 20;
-    const std::vector<int> first = growth.disk(plan);
-    ASSERT_FALSE(first.empty());
-    const std::vector<int> around = growth.surround(first, 2);
-    EXPECT_GT(around.size(), first.size());
-    growth.take(around);
-    EXPECT_TRUE(growth.any_taken(first));
-    plan.start = 12 * 31 + 14;
-    EXPECT_TRUE(growth.disk(plan).empty());
-    plan.start = 22 * 31 + 22;
-    EXPECT_FALSE(growth.disk(plan).empty());
-    growth.release();
-    plan.start = 12 * 31 + 14;
-    EXPECT_FALSE(growth.disk(plan).empty());
+    plan.most = 4;
+    const std::vector<int> disk = growth.disk(plan);
+    ASSERT_EQ(disk.size(), 4u);
+    EXPECT_EQ(growth.surround(disk, 1).size(), 16u);
+    const std::vector<int> around = growth.surround(disk, 2);
+    EXPECT_EQ(around.size(), 36u);
+    EXPECT_TRUE(std::equal(disk.begin(), disk.end(), around.begin()));
 }
 
 TEST(Growth, StopsAtFlags) {

@@ -65,7 +65,7 @@ TEST(Window, LShape) {
     ASSERT_LT(notch, window.loop.size());
     EXPECT_EQ(window.inside[notch], 3);
     EXPECT_EQ(window.wanted[notch], 3);
-    EXPECT_NEAR(loop_angles(mesh, window)[notch], 270, 1e-9);
+    EXPECT_NEAR(window.angles[notch], 270, 1e-9);
     EXPECT_NEAR(convexity(mesh, window), 3 / 3.5, 1e-12);
 }
 
@@ -91,13 +91,13 @@ TEST(Window, WantedFollowsTheAngleOfTheMeshBoundary) {
     mesh::QuadMesh mesh = grid(2, 1);
     mesh.set_point(1, {1, -1.5, 0});
     const Window tip = make_window(mesh, {std::vector<int>{0, 1}});
-    EXPECT_LT(loop_angles(mesh, tip)[1], 135);
+    EXPECT_LT(tip.angles[1], 135);
     EXPECT_EQ(tip.inside[1], 2);
     EXPECT_EQ(tip.wanted[1], 1);
 
     mesh.set_point(1, {1, 0.9, 0});
     const Window dent = make_window(mesh, {std::vector<int>{0, 1}});
-    EXPECT_GT(loop_angles(mesh, dent)[1], 225);
+    EXPECT_GT(dent.angles[1], 225);
     EXPECT_EQ(dent.wanted[1], 3);
 }
 
@@ -111,7 +111,7 @@ TEST(Window, StraightAngleWantsTwoFaces) {
     mesh.set_point(2, {0, 1, 0});
     mesh.set_point(3, {-1, 0, 0});
     const Window after = make_window(mesh, {std::vector<int>{0, 1}});
-    EXPECT_NEAR(loop_angles(mesh, after)[0], 180, 1e-9);
+    EXPECT_NEAR(after.angles[0], 180, 1e-9);
     EXPECT_EQ(after.wanted[0], 2);
 }
 
