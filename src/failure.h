@@ -21,6 +21,7 @@ enum class Fault {
     patch,
     no_filling,
     geometry,
+    chord,
     stale,
     not_found,
     io,

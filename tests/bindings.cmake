@@ -1,4 +1,4 @@
-# Rust and Julia, ends of handles under valgrind, and the five examples, which print the same in
+# Rust and Julia, ends of handles under valgrind, and the six examples, which print the same in
 # every language.
 
 # -------------------------------------------------------------------- Rust
@@ -56,13 +56,18 @@ endforeach()
 # ---------------------------------------------------------------- examples
 
 set(small "${PROJECT_SOURCE_DIR}/examples/data/coast_small.msh")
+set(plate "${PROJECT_SOURCE_DIR}/examples/data/plate.off")
 function(add_example_test language name)
     add_test(NAME example.${language}.${name}
-        COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/example/same.sh" $<TARGET_FILE:example_${name}> "${small}" ${ARGN})
+        COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/example/same.sh" $<TARGET_FILE:example_${name}> "${input}" ${ARGN})
     set_tests_properties(example.${language}.${name} PROPERTIES LABELS example TIMEOUT 300)
 endfunction()
-foreach(name improve front simplify corners undo)
-    add_test(NAME example.c.${name} COMMAND example_${name} "${small}")
+foreach(name improve front simplify corners undo chords)
+    set(input "${small}")
+    if(name STREQUAL chords)
+        set(input "${plate}")
+    endif()
+    add_test(NAME example.c.${name} COMMAND example_${name} "${input}")
     set_tests_properties(example.c.${name} PROPERTIES LABELS example TIMEOUT 300)
     add_example_test(fortran ${name} $<TARGET_FILE:example_fortran_${name}>)
     add_example_test(rust ${name} "${CMAKE_CURRENT_BINARY_DIR}/rust/debug/examples/${name}")

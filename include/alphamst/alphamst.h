@@ -82,7 +82,7 @@ enum amst_status_code {
     AMST_ERR_STATE = -16,    /* call not allowed now, e.g. from a callback */
     AMST_ERR_NO_MEMORY = -15,
     AMST_ERR_CANCELLED = -14,   /* cancelled; mesh as before the call */
-    AMST_ERR_UNSUPPORTED = -13, /* file variant, or a curved patch: not in this version */
+    AMST_ERR_UNSUPPORTED = -13, /* file variant: not in this version */
     AMST_ERR_FORMAT = -12,      /* file is malformed */
     AMST_ERR_IO = -11,          /* file cannot be opened, read or written */
     AMST_ERR_NOT_FOUND = -10,   /* no such key, revision or field */
@@ -90,8 +90,9 @@ enum amst_status_code {
     AMST_ERR_PATCH = -8,        /* patch is not a usable disk, see defects */
     AMST_ERR_NO_FILLING = -17,  /* no filling with the wanted faces was found; patch as before */
     AMST_ERR_GEOMETRY = -18,    /* no filling could be given a valid shape; patch as before */
+    AMST_ERR_CHORD = -19,       /* chord cannot be collapsed or split, see amst_refusal */
     AMST_ERR_NOT_MANIFOLD = -7, /* edge with 3+ faces, or unorientable */
-    AMST_ERR_NOT_QUAD = -6,     /* face without 4 distinct corners */
+    AMST_ERR_NOT_QUAD = -6,     /* face without 3 or 4 distinct corners */
     AMST_ERR_NOT_FINITE = -5,   /* NaN or infinity in the input */
     AMST_ERR_BUFFER_TOO_SMALL = -4,
     AMST_ERR_RANGE = -3,    /* id, count or value out of range */
@@ -144,6 +145,34 @@ enum amst_defect {
     AMST_DEFECT_MAX = 0x7fffffff
 };
 
+/* What is told of a chord by amst_mesh_get_chords. */
+enum amst_chord_property {
+    AMST_CHORD_INVALID = -1,
+    AMST_CHORD_EDGE = 0,           /* its smallest edge */
+    AMST_CHORD_CLOSED = 1,         /* 1: cyclic, 0: from boundary to boundary */
+    AMST_CHORD_LENGTH = 2,         /* faces it passes, those passed twice counted twice */
+    AMST_CHORD_FACES = 3,          /* the same, counted once */
+    AMST_CHORD_CROSSINGS = 4,      /* faces where it crosses itself */
+    AMST_CHORD_TOUCHES = 5,        /* vertices at more than one of its edges */
+    AMST_CHORD_SINGULARITIES = 6,  /* singular vertices at its edges */
+    AMST_CHORD_REFUSAL = 7,        /* amst_refusal bits of its collapse, 0: it can be collapsed */
+    AMST_CHORD_SINGULAR_AFTER = 8, /* singular vertices of the mesh once it is; now if it cannot be */
+    AMST_CHORD_MAX = 0x7fffffff
+};
+
+/* Why a chord cannot be collapsed, bits. */
+enum amst_refusal {
+    AMST_REFUSAL_INVALID = -1,
+    AMST_REFUSAL_CROSSING = 1, /* crosses itself: a face would become a point */
+    AMST_REFUSAL_CLOSED = 2,   /* its borders meet: no surface would be left between them */
+    AMST_REFUSAL_BOUNDARY = 4, /* it would join boundary vertices or, not allowed, change the boundary */
+    AMST_REFUSAL_FIXED = 8,    /* a FIXED entity would go or move */
+    AMST_REFUSAL_FEATURE = 16, /* two features, or two corners of one, would be merged */
+    AMST_REFUSAL_VALENCE = 32, /* a vertex would get a valence below 3 (a doublet) or above 6 */
+    AMST_REFUSAL_DOUBLE = 64,  /* two edges would have the same vertices, or a face one twice */
+    AMST_REFUSAL_MAX = 0x7fffffff
+};
+
 enum amst_decomposition {
     AMST_DECOMPOSE_INVALID = -1,
     AMST_DECOMPOSE_CLUSTERS = 0,      /* compact face clusters (Lloyd) */
@@ -188,6 +217,9 @@ enum amst_option {
     AMST_OPT_REPAIR_PATCHES = 2,   /* int 0/1, 1: fill holes, cut pinches of new patches */
     AMST_OPT_CANDIDATES = 3,       /* int, 16: fillings to try in a patch before it is left, 1..1000 */
     AMST_OPT_NODE_LIMIT = 4,       /* int, 1000: effort of one exact search, in quads laid, 0..10^9 */
+    AMST_OPT_QUADRANGULATE = 5,    /* int, 0: triangles 0 are paired, 1 every face is split */
+    AMST_OPT_EDIT_BOUNDARY = 6,    /* int 0/1, 0: chords that end on the boundary may be changed */
+    AMST_OPT_STRATEGY = 7,         /* int, 0: amst_adapt of a whole mesh by windows, 1 by chords alone */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
@@ -295,10 +327,20 @@ AMST_API amst_status amst_options_get_real(const amst_options *options, int32_t 
 /* Mesh from arrays. coords: component c of vertex v is
  * coords[v * vertex_stride + c * component_stride]; faces likewise with
  * face_stride and corner_stride, all in elements and above 0; both strides 0 means
- * packed. dim is 2 or 3. corners_per_face is 4. At least one face, at most 2^28 - 1.
- * Unreferenced vertices stay.
+ * packed. dim is 2 or 3. corners_per_face is 3, all triangles, or 4, where "none" as the
+ * last corner makes a triangle. At least one face, at most 2^28 - 1. Unreferenced vertices
+ * stay. If there are triangles, faces become quads as AMST_OPT_QUADRANGULATE says; all
+ * given vertices keep their ids and coordinates, new ones come behind them:
+ *  0  Triangles are merged in pairs along a common side, by quality. None is left over on
+ *     a closed surface of triangles without regions. Elsewhere one may be, as when their
+ *     number is odd: a new vertex at the midpoint of a side on the boundary, or on the border
+ *     of a region, makes a quad of it, which can have a corner of 180 degrees there. Among
+ *     quads, a row of them from one such triangle to the next or to the boundary is split.
+ *     A component of one triangle is split as by 1.
+ *  1  Every edge gets a vertex at its midpoint and every face one inside: three quads of
+ *     a triangle, four of a quad.
  * Errors: ARGUMENT (dim, stride, corners_per_face), RANGE (corner id, count),
- * NOT_FINITE, NOT_QUAD, NOT_MANIFOLD. */
+ * NOT_FINITE, NOT_QUAD, NOT_MANIFOLD; ids in their sentences are those given. */
 AMST_API amst_status amst_mesh_create(amst_context *ctx, int32_t dim, const double *coords,
                                       int64_t n_vertices, int64_t vertex_stride, int64_t component_stride,
                                       const int32_t *faces, int64_t n_faces, int64_t face_stride,
@@ -315,13 +357,16 @@ AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
  * boundary numbers of edges in .msh and .vtk files are kept and written again; the
  * boundaries of a .su2 file, which have names, get the numbers 1, 2, ... in the order
  * of the file, and its clockwise faces are turned over. Borders of regions and numbered edges act as FEATURE.
+ * Triangles become quads as in amst_mesh_create; none is merged with one of another region or over
+ * a numbered edge, and the halves of such an edge keep its number.
  * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of
  * amst_mesh_create. */
 AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                                     amst_mesh **out);
 /* The same formats without .su2 (.msh is Gmsh 2.2), and .svg, a picture with the
- * singularities marked. A failure leaves no half-written file.
- * Errors: IO, UNSUPPORTED (extension). */
+ * singularities marked and, if there is an edge field "chord", with a line through each face
+ * between opposite edges of equal value, whose colour the value chooses. A failure leaves no half-written
+ * file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, fields and revision, without savepoints. */
 AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
@@ -376,6 +421,12 @@ AMST_API amst_status amst_mesh_set_flags(amst_mesh *mesh, int32_t entity, const 
 /* amst_flag bits of every vertex, edge or face. Errors: ARGUMENT (entity). */
 AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, int32_t *out,
                                          int64_t capacity, int64_t *needed);
+/* Flags the edges whose two faces have normals more than angle degrees apart, 0..180, as
+ * FEATURE; and as CORNER the vertices where curves of FEATURE edges, these and those that
+ * had the flag before, end or cross (one or more than two edges of them) or turn by more
+ * than 60 degrees. No flag is taken away; the revision stays. found, the number of edges
+ * at more than angle, may be NULL. Errors: NOT_FINITE, RANGE (angle). */
+AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, int64_t *found);
 
 /* ------------------------------------------------------------------- fields */
 /* Named reals on every vertex, edge or face, [count][components], at most one field of
@@ -394,12 +445,13 @@ AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, 
  * No rule leaves the range of the values it takes from, but for CONSERVE on curved faces.
  * A vertex that moves keeps its values, as in amst_mesh_set_points, which leaves all
  * fields as they are. Names are UTF-8. The library reads "size" (vertices, 1 component):
- * the wanted edge length, above 0. */
+ * the wanted edge length, above 0; and "cross" (faces, 3 components, also for dim 2): a
+ * direction that edges shall have there, or one at right angles to it; 0 0 0 for none. */
 
 /* A new field, or a new one in the place of the old; n is the number of vertices, edges
  * or faces. The revision stays. Errors: ARGUMENT (entity, name empty, carry, carry not
- * for this entity), RANGE (components < 1, n, "size" not above 0 or of more components),
- * NOT_FINITE. */
+ * for this entity, "size" or "cross" on another entity), RANGE (components < 1 or not those
+ * of "size" or "cross", n, "size" not above 0), NOT_FINITE. */
 AMST_API amst_status amst_mesh_set_field(amst_mesh *mesh, int32_t entity, const char *name,
                                          int32_t components, int32_t carry, const double *values, int64_t n);
 /* [count][components]. Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
@@ -407,6 +459,31 @@ AMST_API amst_status amst_mesh_get_field(const amst_mesh *mesh, int32_t entity, 
                                          int64_t capacity, int64_t *needed);
 /* Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
 AMST_API amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, const char *name);
+
+/* A new face field "cross", of AMST_CARRY_INHERIT, in the place of any old one: directions
+ * of length 1 in the planes of the faces. They are along the edges on the boundary, on
+ * FEATURE and on borders of markers; elsewhere along the principal directions, the more the
+ * curvatures in them differ; and between that as smooth as can be. Of the options
+ * SMOOTH_STEPS counts, the sweeps on each level of the hierarchy of faces. Takes time in
+ * proportion to the faces, on one thread. The revision stays. Errors: STATE. */
+AMST_API amst_status amst_mesh_compute_cross_field(amst_mesh *mesh, const amst_options *options);
+/* Mean angle between the sides of faces and the nearest of the four directions of "cross"
+ * and at right angles to it, 0..45 degrees: 0 where edges follow the field, 22.5 where they
+ * do not know of it. Sides and directions without length do not count; 0 if none does.
+ * Errors: NOT_FOUND (no field "cross"). */
+AMST_API amst_status amst_mesh_get_alignment(const amst_mesh *mesh, double *mean_degrees);
+
+/* ------------------------------------------------------------------ surface */
+
+/* The surface that a curved mesh keeps to: operations project the vertices to it that they
+ * move or add. points [n_points][dim], triangles [n_triangles][3] with ids of those points
+ * from the index base; at least one triangle, and any without area do no harm. NULL points
+ * takes the mesh as it is now, two triangles a face, whatever the other arguments are.
+ * Until this is called it is the mesh as it is when the first operation on it begins. The
+ * surface is part of the mesh as its fields are, but not of the checksum; the revision
+ * stays. Errors: RANGE (counts, a triangle with a corner that is no point), NOT_FINITE. */
+AMST_API amst_status amst_mesh_set_surface(amst_mesh *mesh, const double *points, int64_t n_points,
+                                           const int32_t *triangles, int64_t n_triangles);
 
 /* ------------------------------------------------------------------ undoing */
 
@@ -511,14 +588,18 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * chooses, grows and moves over it (windows), down to as few singular vertices as it
  * can; the boundary stays vertex for vertex, and the faces are round(alpha * faces),
  * or the result is AMST_PARTIAL. A vertex field "size" says where they go; without it
- * they go where the faces were. Same mesh, options and seed, same result, on any
- * number of threads. Errors: ARGUMENT (alpha <= 0), NOT_FINITE, UNSUPPORTED (whole
- * mesh that is no plane). */
+ * they go where the faces were. With AMST_OPT_STRATEGY 1 whole chords are removed, the
+ * shortest first, or split instead, which makes no vertex singular, until no other one
+ * can go without passing that number. Same mesh, options and seed, same result, on any
+ * number of threads. On a curved mesh vertices keep to its surface, see
+ * amst_mesh_set_surface, the surface stays within 0.6 wanted edge lengths of the mesh,
+ * but for the last faces of the count, and faces are denser where it bends more.
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);
 /* Replace each patch by its minimum singularity template, boundary kept. patches
  * NULL: the whole mesh, as amst_adapt does with alpha 1, but for the exact number of
- * faces, which stays within a few percent. Errors: UNSUPPORTED as there. */
+ * faces, which stays within a few percent. */
 AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches,
                                                const amst_options *options, amst_report **report);
 /* Move interior vertices of the patches, or of the mesh if patches is NULL; flagged
@@ -527,6 +608,56 @@ AMST_API amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, c
                                  amst_report **report);
 /* Remove doublets and split valences above 5. The revision rises if there were any. */
 AMST_API amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report **report);
+
+/* ------------------------------------------------------------------- chords */
+/* A chord is the row of faces met when each is left through the edge opposite to the one
+ * it was entered by: closed (cyclic), or open from boundary to boundary. Each edge is on
+ * one chord; the lengths of all sum up to twice the faces. Chords are numbered from the
+ * index base in the order of their smallest edges. */
+
+/* Edges crossed by the chord through edge, in order: from that edge round if it is closed,
+ * else from its end with the smaller edge. closed is 1 or 0; crossings counts the faces it
+ * passes twice. Either may be NULL. Errors: RANGE (edge). */
+AMST_API amst_status amst_mesh_get_chord(const amst_mesh *mesh, amst_id edge, int32_t *closed,
+                                         int64_t *crossings, amst_id *out, int64_t capacity, int64_t *needed);
+/* [n_edges] number of the chord of each edge; n_chords may be NULL. As an edge field
+ * "chord" they are drawn in colour by amst_mesh_write. */
+AMST_API amst_status amst_mesh_get_chord_ids(const amst_mesh *mesh, int64_t *n_chords, amst_id *out,
+                                             int64_t capacity, int64_t *needed);
+/* [n_chords] an amst_chord_property of each chord. Of the options AMST_OPT_EDIT_BOUNDARY
+ * counts. Errors: ARGUMENT (property). */
+AMST_API amst_status amst_mesh_get_chords(const amst_mesh *mesh, int32_t property,
+                                          const amst_options *options, int64_t *out, int64_t capacity,
+                                          int64_t *needed);
+
+/* The next three are operations as those above; singular vertices are known beforehand.
+ * The faces around the chord, two layers of them, are smoothed, on a curved mesh back to
+ * its surface; where an element would turn over nothing is done. */
+
+/* Remove the chord through edge: the two ends of each of its edges become one vertex. It
+ * stays where it was if one of them may not move (boundary, flags, markers), else it goes
+ * to the middle. An edge on the boundary or on a feature is only collapsed if
+ * AMST_OPT_EDIT_BOUNDARY allows that, and the curve turns by less than 30 degrees where it
+ * loses the vertex. Errors: RANGE (edge), CHORD (amst_last_error has the reason and its
+ * place; all reasons: AMST_CHORD_REFUSAL), GEOMETRY. */
+AMST_API amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_options *options,
+                                         amst_report **report);
+/* Cut the chord through edge into n + 1 parallel ones, n >= 1; a face where it crosses
+ * itself into (n + 1)^2. No vertex becomes singular. The vertices, edges and faces that
+ * are there stay; as origin all pieces have what they are part of. An open chord puts
+ * vertices on the boundary and is only split if AMST_OPT_EDIT_BOUNDARY allows that.
+ * Errors: RANGE (edge, n, size of the mesh), CHORD, GEOMETRY. */
+AMST_API amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, int32_t n, const amst_options *options,
+                                      amst_report **report);
+/* Lay n >= 1 closed chords around the core of each patch: rings between its boundary,
+ * which stays, and its faces, which keep their connectivity. A patch needs 3 to 6 corners
+ * (boundary vertices with one of its faces), or none, and two of its faces at all other
+ * boundary vertices. The corners of the core become singular vertices of valence 3; where
+ * the patch had no corner none is added: so their number does not depend on n. Corners
+ * that were set must be these. Patches that are not so, or with defects, are left and make
+ * the result AMST_PARTIAL. Errors: NULL (patches), RANGE (n). */
+AMST_API amst_status amst_insert_chords(amst_mesh *mesh, amst_patches *patches, int32_t n,
+                                        const amst_options *options, amst_report **report);
 
 /* ------------------------------------------------------------------ quality */
 

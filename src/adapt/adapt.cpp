@@ -31,7 +31,7 @@ Prediction predict(const mesh::QuadMesh &mesh, const Region &patch, double alpha
     Goal goal;
     goal.faces = wanted_faces(patch.alpha > 0 ? patch.alpha : alpha, patch.faces.size());
     goal.keep_quality = goal.faces == static_cast<std::int64_t>(patch.faces.size());
-    return first_choice(mesh, patch, goal, settings);
+    return first_choice(mesh, patch, goal, settings, ground_of(mesh, std::span(&patch, 1)));
 }
 
 } // namespace alphamst::adapt

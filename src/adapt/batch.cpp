@@ -91,6 +91,8 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
     std::iota(waiting.begin(), waiting.end(), std::size_t{0});
     Numbers numbers(mesh, patches);
     const Workers workers(settings.threads);
+    const Ground ground = ground_of(mesh, patches);
+    mesh.surface = ground.surface;
     const std::size_t round = 8 * static_cast<std::size_t>(workers.count());
     std::size_t done = 0;
     while (!waiting.empty()) {
@@ -104,7 +106,7 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
                 Region region = patches[batch[first + i]];
                 for (int &corner : region.corners)
                     corner = numbers.vertex(corner);
-                proposals[i] = propose(mesh, region, goal(region), settings);
+                proposals[i] = propose(mesh, region, goal(region), settings, ground);
             };
             workers.run(proposals.size(), propose_one);
             for (std::size_t i = 0; i < proposals.size(); ++i, ++done) {

@@ -50,7 +50,9 @@ bool refill_around(mesh::QuadMesh &mesh, int v, const Settings &settings) {
         goal.faces = static_cast<std::int64_t>(region.faces.size());
         goal.any_count = true;
         goal.forbid_old = true;
-        const Proposal proposal = propose(mesh, region, goal, settings);
+        const Ground ground = ground_of(mesh, std::span(&region, 1));
+        mesh.surface = ground.surface;
+        const Proposal proposal = propose(mesh, region, goal, settings, ground);
         if (proposal.outcome.fault ||
             bad_count(proposal.outcome.valences_after) >= bad_count(proposal.outcome.valences_before))
             continue;

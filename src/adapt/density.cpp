@@ -1,14 +1,46 @@
 #include "adapt/density.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
-namespace alphamst::adapt {
+#include "surface/curvature.h"
 
-std::optional<Density> Density::of(const mesh::QuadMesh &mesh) {
-    if (mesh.n_faces() == 0 || mesh.field(Entity::vertex, "size") == nullptr)
+namespace alphamst::adapt {
+namespace {
+
+// Curvatures count between these multiples of the mean one: edges are four times as long at most where it
+// is flat.
+constexpr double flat = 0.25, sharp = 8;
+
+} // namespace
+
+std::optional<Density> Density::of(const mesh::QuadMesh &mesh, const Ground &ground, std::int64_t wanted) {
+    if (mesh.n_faces() == 0)
         return std::nullopt;
-    return Density(mesh);
+    if (mesh.field(Entity::vertex, "size") != nullptr)
+        return Density(mesh);
+    if (ground.surface)
+        return Density(ground, wanted);
+    return std::nullopt;
+}
+
+// With edges of length h the surface is missed by about its curvature times h^2 / 8. For a number of faces
+// the mean square of that is least where the faces per area go with curvature^(2/3).
+Density::Density(const Ground &ground, std::int64_t wanted) : ground_(&ground) {
+    const surface::Surface &surface = *ground.surface;
+    const double points = static_cast<double>(surface.points().size());
+    const double edges = std::sqrt(points / static_cast<double>(std::max<std::int64_t>(1, wanted)));
+    const std::vector<double> curvature =
+        surface::curvature(surface, std::clamp(static_cast<int>(edges), 1, 6));
+    const double mean = std::accumulate(curvature.begin(), curvature.end(), 0.0) / points;
+    for (const auto &[a, b, c] : surface.triangles()) {
+        const double bend = (curvature[static_cast<std::size_t>(a)] + curvature[static_cast<std::size_t>(b)] +
+                             curvature[static_cast<std::size_t>(c)]) /
+                            3;
+        density_.push_back(std::pow(flat * mean + std::min(bend, sharp * mean), 2.0 / 3));
+    }
 }
 
 Density::Density(const mesh::QuadMesh &mesh)
@@ -27,14 +59,22 @@ double Density::at(const Eigen::Vector3d &point) const {
     return 1 / (size * size);
 }
 
+double Density::of_face(const mesh::QuadMesh &mesh, int face) const {
+    double sum = 0;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const int v : mesh.corners(face)) {
+        middle += point_of(mesh, v) / 4;
+        if (ground_)
+            sum += density_[static_cast<std::size_t>(ground_->anchors[static_cast<std::size_t>(v)])] / 4;
+    }
+    return ground_ ? sum : at(middle);
+}
+
 std::vector<double> Density::weights(const mesh::QuadMesh &mesh, std::span<const int> faces) const {
     std::vector<double> weights;
     for (const int f : faces) {
-        Eigen::Vector3d corner[4], middle = Eigen::Vector3d::Zero();
-        const auto corners = mesh.corners(f);
-        for (std::size_t k = 0; k < 4; ++k)
-            middle += (corner[k] = point_of(mesh, corners[k])) / 4;
-        weights.push_back((corner[2] - corner[0]).cross(corner[3] - corner[1]).norm() / 2 * at(middle));
+        const Quad corner = quad_of(mesh, f);
+        weights.push_back((corner[2] - corner[0]).cross(corner[3] - corner[1]).norm() / 2 * of_face(mesh, f));
     }
     return weights;
 }

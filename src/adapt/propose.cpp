@@ -37,10 +37,10 @@ std::int64_t bound(const Site &site, const mesh::QuadMesh &mesh) {
     return forced;
 }
 
-// The best embedding so far and where it came from.
+// The best places so far and where it came from.
 struct Best {
     fill::Filling filling;
-    geometry::Embedding embedding;
+    Laid laid;
     std::map<int, std::int64_t> valences;
     std::int64_t number = -1;
 };
@@ -143,14 +143,14 @@ private:
 
     // Whether the filling is good enough to end the search.
     bool judge(Shape shape, std::map<int, std::int64_t> valences, std::int64_t number) {
-        geometry::Embedding embedding = site_.embed(shape);
-        const double quality = embedding.min_scaled_jacobian;
-        if (embedding.stuck >= 0)
-            obstacles_.learn(shape.filling, embedding.stuck);
-        if (!embedding.valid || quality <= settings_.min_quality)
+        Laid laid = site_.lay(shape);
+        const double quality = laid.min_scaled_jacobian;
+        if (laid.stuck >= 0)
+            obstacles_.learn(shape.filling, laid.stuck);
+        if (!laid.valid || quality <= settings_.min_quality)
             return false;
-        if (best_.number < 0 || quality > best_.embedding.min_scaled_jacobian)
-            best_ = {std::move(shape.filling), std::move(embedding), std::move(valences), number};
+        if (best_.number < 0 || quality > best_.laid.min_scaled_jacobian)
+            best_ = {std::move(shape.filling), std::move(laid), std::move(valences), number};
         return quality >= (goal_.keep_quality ? site_.old_quality : std::min(site_.old_quality, comfortable));
     }
 
@@ -170,28 +170,28 @@ std::int64_t wanted_faces(double alpha, std::size_t faces) {
     return std::llround(std::min(alpha * static_cast<double>(faces), 4e18));
 }
 
-Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal,
-                 const Settings &settings) {
+Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings,
+                 const Ground &ground) {
     const auto start = std::chrono::steady_clock::now();
     Proposal proposal;
     Outcome &outcome = proposal.outcome;
     outcome.faces_before = outcome.faces_after = static_cast<std::int64_t>(patch.faces.size());
     outcome.faces_wanted = goal.faces;
     try {
-        const Site site(mesh, patch, goal, settings);
+        const Site site(mesh, patch, goal, settings, ground);
         outcome.valences_before = outcome.valences_after = site.valences(site.old);
         outcome.singular_before = outcome.singular_after = singular(outcome.valences_before);
         outcome.singular_bound = bound(site, mesh);
         outcome.quality_before = outcome.quality_after = site.old_quality;
         proposal.window = site.window;
         Best best = Choice(site, goal, settings).run();
-        proposal.points = site.lift(best.embedding.positions);
+        proposal.points = site.lift(best.laid);
         proposal.filling = std::move(best.filling);
         outcome.faces_after = static_cast<std::int64_t>(proposal.filling.quads.size());
         outcome.valences_after = std::move(best.valences);
         outcome.singular_after = singular(outcome.valences_after);
         outcome.candidate = best.number;
-        outcome.quality_after = best.embedding.min_scaled_jacobian;
+        outcome.quality_after = best.laid.min_scaled_jacobian;
     } catch (const Refusal &refusal) {
         outcome.fault = refusal.fault;
         outcome.text = refusal.text;
@@ -201,9 +201,9 @@ Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &go
 }
 
 Prediction first_choice(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal,
-                        const Settings &settings) {
+                        const Settings &settings, const Ground &ground) {
     try {
-        const Site site(mesh, patch, goal, settings);
+        const Site site(mesh, patch, goal, settings, ground);
         Choice choice(site, goal, settings);
         if (!goal.keep_quality)
             return choice.first();

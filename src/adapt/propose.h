@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "adapt/adapt.h"
+#include "adapt/ground.h"
 #include "fill/filling.h"
 #include "patch/window.h"
 
@@ -28,12 +29,13 @@ struct Proposal {
 
 // Never throws for reasons of the patch; these are in outcome.fault. The result depends on
 // the arguments alone.
-Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings);
+Proposal propose(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings,
+                 const Ground &ground);
 
 // The numbers of the first filling that propose would try or, where the old quality is to be kept,
 // of the one that it takes. Throws Failure where there is none.
 Prediction first_choice(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal,
-                        const Settings &settings);
+                        const Settings &settings, const Ground &ground);
 
 // Puts the proposal into the mesh.
 mesh::QuadMesh::Replaced commit(mesh::QuadMesh &mesh, const Proposal &proposal);

@@ -3,13 +3,13 @@
 
 #include "adapt/adapt.h"
 #include "adapt/density.h"
-#include "geometry/plane.h"
+#include "adapt/ground.h"
 
 namespace alphamst::adapt {
 
 // Moves all vertices that may move. The smallest scaled Jacobian of the mesh never falls, and no
 // corner turns over.
-void relax(mesh::QuadMesh &mesh, const geometry::Plane &plane, const std::optional<Density> &density,
+void relax(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &density,
            const Settings &settings);
 
 } // namespace alphamst::adapt

@@ -31,8 +31,9 @@ std::string name_defects(std::int32_t bits) {
 
 } // namespace
 
-Site::Site(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings)
-    : mesh_(mesh), goal_(goal), settings_(settings) {
+Site::Site(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings,
+           const Ground &ground)
+    : mesh_(mesh), goal_(goal), settings_(settings), ground_(ground) {
     patch::Region region(mesh, patch.faces);
     const std::int32_t bits = patch::defects_of(mesh, region);
     if (bits != 0)
@@ -41,8 +42,9 @@ Site::Site(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, co
     regular_ = window.wanted;
     if (!patch.corners.empty())
         use_corners(patch.corners);
-    flatten();
     read_old_filling();
+    flatten();
+    old_quality = old_shape.min_scaled_jacobian;
     if (goal.keep_quality && patch.corners.empty())
         keep_angles();
 }
@@ -93,10 +95,55 @@ geometry::Embedding Site::embed(const Shape &shape) const {
     return geometry::embed(filling.quads, filling.boundary, filling.vertices, loop, options);
 }
 
-std::vector<OpenMesh::Vec3d> Site::lift(const geometry::Points &positions) const {
+// Into the chart, from there to the surface, and there into shape.
+Laid Site::drape(const Shape &shape) const {
+    const fill::Filling &filling = shape.filling;
+    geometry::EmbedOptions options;
+    options.steps = settings_.smooth_steps;
+    options.patient = settings_.patient;
+    options.least_area = settings_.least_area;
+    Laid laid;
+    geometry::Points positions = shape.positions;
+    if (positions.empty()) {
+        geometry::Embedding embedding = chart_->place(filling, options);
+        laid.stuck = embedding.stuck;
+        if (!embedding.valid)
+            return laid;
+        positions = std::move(embedding.positions);
+    }
+    for (int v = 0; v < filling.vertices; ++v) {
+        const auto i = static_cast<std::size_t>(v);
+        if (v < filling.boundary)
+            laid.draped.add({old_drape_.anchors[i], old_drape_.points[i], old_drape_.normals[i], 0});
+        else
+            laid.draped.add(chart_->lift(surface(), positions[i]));
+    }
+    std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
+    std::fill_n(fixed.begin(), filling.boundary, char(1));
+    static_cast<geometry::Judgement &>(laid) =
+        geometry::improve(surface(), filling.quads, fixed, laid.draped, options);
+    return laid;
+}
+
+Laid Site::lay(const Shape &shape) const {
+    if (curved())
+        return drape(shape);
+    geometry::Embedding embedding = embed(shape);
+    Laid laid;
+    static_cast<geometry::Judgement &>(laid) = embedding;
+    laid.flat = std::move(embedding.positions);
+    laid.stuck = embedding.stuck;
+    return laid;
+}
+
+std::vector<OpenMesh::Vec3d> Site::lift(const Laid &laid) const {
     std::vector<OpenMesh::Vec3d> points;
-    for (std::size_t v = window.loop.size(); v < positions.size(); ++v)
-        points.push_back(lift(positions[v]));
+    for (std::size_t v = window.loop.size(); v < laid.flat.size(); ++v)
+        points.push_back(lift(laid.flat[v]));
+    for (std::size_t v = window.loop.size(); v < laid.draped.points.size(); ++v) {
+        const Eigen::Vector3d &p = laid.draped.points[v];
+        points.emplace_back(p.x(), p.y(), p.z());
+    }
     return points;
 }
 
@@ -152,21 +199,30 @@ void Site::keep_angles() {
 }
 
 void Site::flatten() {
+    std::vector<int> vertices = window.loop;
+    vertices.insert(vertices.end(), window.interior.begin(), window.interior.end());
     std::vector<Eigen::Vector3d> points;
-    for (const int v : window.loop)
-        points.push_back(vector(mesh_.point(v)));
-    for (const int v : window.interior)
+    for (const int v : vertices)
         points.push_back(vector(mesh_.point(v)));
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < window.loop.size(); ++i)
         normal += (points[i] - points[0]).cross(points[(i + 1) % window.loop.size()] - points[0]);
-    plane_ = mesh_.dim() == 2 ? geometry::Plane::of_coordinates(normal.z() < 0)
-                              : geometry::Plane::fit(points, normal);
-    if (!plane_.holds(points))
-        throw Refusal{Fault::unsupported,
-                      "the patch is curved; this version adapts patches that lie in a plane"};
-    for (const Eigen::Vector3d &p : points)
-        old_positions_.push_back(plane_.to_plane(p));
+    if (ground_.anchors.empty()) {
+        plane_ = mesh_.dim() == 2 ? geometry::Plane::of_coordinates(normal.z() < 0)
+                                  : geometry::Plane::fit(points, normal);
+        if (plane_.holds(points)) {
+            for (const Eigen::Vector3d &p : points)
+                old_positions_.push_back(plane_.to_plane(p));
+            old_shape = geometry::judge(old.quads, old_positions_);
+            return;
+        }
+    }
+    if (!ground_.surface)
+        throw Refusal{Fault::internal, "the patch is curved, but the mesh keeps to no surface"};
+    old_drape_ = draped(vertices);
+    chart_.emplace(old, old_drape_);
+    old_positions_ = chart_->positions();
+    old_shape = geometry::judge(old.quads, old_drape_);
 }
 
 void Site::read_old_filling() {
@@ -182,8 +238,6 @@ void Site::read_old_filling() {
         old.quads.push_back(
             {local.at(corners[0]), local.at(corners[1]), local.at(corners[2]), local.at(corners[3])});
     }
-    old_embedding = geometry::judge(old.quads, old_positions_);
-    old_quality = old_embedding.min_scaled_jacobian;
     old_singular_all = singular_all(old);
 }
 
@@ -207,6 +261,10 @@ geometry::Points Site::flat(std::span<const int> vertices) const {
     for (const int v : vertices)
         positions.push_back(plane_.to_plane(vector(mesh_.point(v))));
     return positions;
+}
+
+geometry::Drape Site::draped(std::span<const int> vertices) const {
+    return drape_of(mesh_, surface(), ground_.anchors, vertices);
 }
 
 OpenMesh::Vec3d Site::lift(const Eigen::Vector2d &position) const {

@@ -9,7 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "adapt/chart.h"
 #include "adapt/coarsen.h"
+#include "adapt/ground.h"
 #include "adapt/propose.h"
 #include "fill/plan.h"
 #include "geometry/plane.h"
@@ -22,10 +24,20 @@ struct Refusal {
     std::string text;
 };
 
+// A filling with places for its vertices.
+struct Laid : geometry::Judgement {
+    geometry::Points flat;  // in the plane of the patch, or, if that is curved,
+    geometry::Drape draped; // on the surface
+    double away = 0;        // there: most that edges and faces are off the surface
+    int stuck = -1;         // see geometry::Embedding
+};
+
 // Everything about the patch that its fillings are judged against.
 class Site {
 public:
-    Site(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings);
+    // A patch that is flat itself lies in its plane, whatever the ground, unless that has anchors.
+    Site(const mesh::QuadMesh &mesh, const Region &patch, const Goal &goal, const Settings &settings,
+         const Ground &ground);
 
     // A filling by its numbers, made when asked for.
     struct Offer {
@@ -51,21 +63,24 @@ public:
     // Singular vertices of the mesh in the patch with this filling.
     std::map<int, std::int64_t> valences(const fill::Filling &filling) const;
 
-    geometry::Embedding embed(const Shape &shape) const;
+    Laid lay(const Shape &shape) const;
+    bool curved() const { return chart_.has_value(); }
+    const surface::Surface &surface() const { return *ground_.surface; }
 
     // Those of the mesh boundary included.
     int singular_all(const fill::Filling &filling) const;
 
-    // Points for the new vertices, or for one position.
-    std::vector<OpenMesh::Vec3d> lift(const geometry::Points &positions) const;
+    // Points for the new vertices, or for one position in the plane.
+    std::vector<OpenMesh::Vec3d> lift(const Laid &laid) const;
     OpenMesh::Vec3d lift(const Eigen::Vector2d &position) const;
-    // Any vertices of the mesh in the plane of the patch.
+    // Any vertices of the mesh in the plane of the patch, or on its surface.
     geometry::Points flat(std::span<const int> vertices) const;
+    geometry::Drape draped(std::span<const int> vertices) const;
 
     patch::Window window;
     fill::Filling old;
     double old_quality = 0;
-    geometry::Embedding old_embedding;
+    geometry::Judgement old_shape;
     int old_singular_all = 0; // those of the mesh boundary included
 
 private:
@@ -94,17 +109,23 @@ private:
     // worst corner there is.
     void keep_angles();
 
+    void read_old_filling();
+
     void flatten();
 
-    void read_old_filling();
+    geometry::Embedding embed(const Shape &shape) const;
+    Laid drape(const Shape &shape) const;
 
     bool inside(int edge) const;
 
     const mesh::QuadMesh &mesh_;
     const Goal &goal_;
     const Settings &settings_;
-    geometry::Plane plane_;
-    geometry::Points old_positions_; // loop, then interior
+    const Ground &ground_;
+    geometry::Plane plane_;      // of a flat patch
+    std::optional<Chart> chart_; // of a curved one
+    geometry::Drape old_drape_;
+    geometry::Points old_positions_; // loop, then interior, in the plane or the chart
     double least_sine_ = 0;
     bool corners_given_ = false;
     std::unordered_map<int, int> local_; // vertex of the mesh -> of old

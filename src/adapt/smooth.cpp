@@ -4,9 +4,9 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "adapt/adapt.h"
+#include "adapt/ground.h"
+#include "adapt/locate.h"
 #include "geometry/embed.h"
-#include "geometry/plane.h"
 #include "patch/region.h"
 
 namespace alphamst::adapt {
@@ -32,7 +32,6 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
         for (const int v : quad)
             ++inside[static_cast<std::size_t>(v)];
     std::vector<char> fixed;
-    std::vector<Eigen::Vector3d> points;
     Outcome outcome;
     outcome.faces_before = outcome.faces_after = outcome.faces_wanted =
         static_cast<std::int64_t>(faces.size());
@@ -40,8 +39,6 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
         const int v = vertices[i];
         const int valence = mesh.valence(v);
         fixed.push_back(inside[i] != valence || patch::pinned(mesh, v));
-        const auto &p = mesh.point(v);
-        points.emplace_back(p[0], p[1], p[2]);
         if (mesh.on_boundary(v))
             continue;
         ++outcome.valences_before[valence];
@@ -50,34 +47,38 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     outcome.valences_after = outcome.valences_before;
     outcome.singular_after = outcome.singular_bound = outcome.singular_before;
 
-    geometry::Plane plane;
-    geometry::Points positions;
-    if (!points.empty()) {
-        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-        for (const auto &quad : quads)
-            normal += (points[static_cast<std::size_t>(quad[2])] - points[static_cast<std::size_t>(quad[0])])
-                          .cross(points[static_cast<std::size_t>(quad[3])] -
-                                 points[static_cast<std::size_t>(quad[1])]);
-        plane = mesh.dim() == 2 ? geometry::Plane::of_coordinates(normal.z() < 0)
-                                : geometry::Plane::fit(points, normal);
-        if (!plane.holds(points)) {
-            outcome.fault = Fault::unsupported;
-            outcome.text = "the faces are curved; this version smooths faces that lie in a plane";
-            return outcome;
-        }
-    }
-    for (const auto &p : points)
-        positions.push_back(plane.to_plane(p));
-    outcome.quality_before = geometry::judge(quads, positions).min_scaled_jacobian;
+    if (faces.empty())
+        return outcome;
     geometry::EmbedOptions options;
     options.steps = settings.smooth_steps;
-    const geometry::Embedding improved = geometry::improve(quads, fixed, std::move(positions), options);
-    outcome.quality_after = improved.min_scaled_jacobian;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        if (fixed[i])
-            continue;
-        const Eigen::Vector3d p = plane.to_space(improved.positions[i]);
-        mesh.set_point(vertices[i], {p.x(), p.y(), mesh.dim() == 2 ? 0.0 : p.z()});
+    const Region patch{faces, {}, 0};
+    const Ground ground = ground_of(mesh, std::span(&patch, 1));
+    mesh.surface = ground.surface;
+    if (const auto plane = plane_of(mesh, faces)) {
+        geometry::Points positions;
+        for (const int v : vertices)
+            positions.push_back(plane->to_plane(point_of(mesh, v)));
+        outcome.quality_before = geometry::shapes_of(quads, positions).min_scaled_jacobian;
+        const geometry::Embedding improved = geometry::improve(quads, fixed, std::move(positions), options);
+        outcome.quality_after = improved.min_scaled_jacobian;
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const Eigen::Vector3d p = plane->to_space(improved.positions[i]);
+            if (!fixed[i])
+                mesh.set_point(vertices[i], {p.x(), p.y(), mesh.dim() == 2 ? 0.0 : p.z()});
+        }
+    } else {
+        const geometry::Drape start = drape_of(mesh, *ground.surface, ground.anchors, vertices);
+        geometry::Drape drape = start;
+        outcome.quality_before = geometry::judge(quads, start).min_scaled_jacobian;
+        outcome.quality_after =
+            geometry::improve(*ground.surface, quads, fixed, drape, options).min_scaled_jacobian;
+        if (outcome.quality_after < outcome.quality_before) {
+            drape = start;
+            outcome.quality_after = outcome.quality_before;
+        }
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            if (!fixed[i])
+                mesh.set_point(vertices[i], {drape.points[i].x(), drape.points[i].y(), drape.points[i].z()});
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;

@@ -57,9 +57,9 @@ struct Sweep::Round {
     std::vector<std::optional<Trial>> trials;
 };
 
-Sweep::Sweep(mesh::QuadMesh &mesh, std::vector<double> shares, const std::optional<Density> &density,
-             const Settings &settings)
-    : mesh_(mesh), settings_(settings), shares_(std::move(shares)), density_(density),
+Sweep::Sweep(mesh::QuadMesh &mesh, Ground &ground, std::vector<double> shares,
+             const std::optional<Density> &density, const Settings &settings)
+    : mesh_(mesh), ground_(ground), settings_(settings), shares_(std::move(shares)), density_(density),
       wanted_(std::llround(std::accumulate(shares_.begin(), shares_.end(), 0.0))), workers_(settings.threads),
       growths_(static_cast<std::size_t>(workers_.count()), patch::Growth(mesh)), random_(settings.seed),
       singular_(static_cast<int>(irregular().size())) {}
@@ -123,6 +123,11 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
     Goal goal;
     goal.any_count = true;
     goal.most_added = pass.most_added;
+    if (pass.purpose == Purpose::mend) {
+        goal.faces = goal.fewest = goal.most = now;
+        goal.forbid_old = true;
+        return goal;
+    }
     if (pass.purpose != Purpose::fewer_singularities) {
         const bool spread = pass.purpose == Purpose::spread;
         const std::int64_t lacking = spread ? std::llround(share) - now : missing();
@@ -231,7 +236,17 @@ void Sweep::choose_windows(const Pass &pass, Round &round) {
 }
 
 // Shares, seeds and their places go with what a commit renumbers.
-void Sweep::follow(const Proposal &proposal, const mesh::QuadMesh::Replaced &replaced) {
+void Sweep::follow(const Trial &trial, const mesh::QuadMesh::Replaced &replaced) {
+    if (ground_.surface) {
+        std::vector<int> &anchors = ground_.anchors;
+        anchors.resize(std::max(anchors.size(), at(mesh_.n_vertices())));
+        for (std::size_t i = 0; i < replaced.vertices.size(); ++i)
+            anchors[at(replaced.vertices[i])] = trial.anchors[i];
+        for (const auto &[from, to] : replaced.moved_vertices)
+            anchors[at(to)] = anchors[at(from)];
+        anchors.resize(at(mesh_.n_vertices()));
+    }
+    const Proposal &proposal = trial.proposal;
     double share = 0;
     for (const int f : proposal.window.faces)
         share += shares_[at(f)];
@@ -259,6 +274,22 @@ void Sweep::follow(const Proposal &proposal, const mesh::QuadMesh::Replaced &rep
     place_.resize(at(mesh_.n_vertices()));
 }
 
+// Samples of the surface go to the new faces and to the rim, both by their numbers before any others
+// are moved.
+void Sweep::cover(const Trial &trial, std::span<const int> old, std::span<const int> rim,
+                  const mesh::QuadMesh::Replaced &replaced) {
+    Coverage &coverage = *ground_.coverage;
+    std::vector<int> owners(replaced.faces), freed(old.begin(), old.end());
+    owners.insert(owners.end(), rim.begin(), rim.end());
+    if (!trial.moved.empty())
+        freed.insert(freed.end(), rim.begin(), rim.end());
+    coverage.resize(std::max(coverage.faces(), mesh_.n_faces()));
+    coverage.assign(freed, trial.owners, owners);
+    for (const auto &[from, to] : replaced.moved_faces)
+        coverage.move(from, to);
+    coverage.resize(mesh_.n_faces());
+}
+
 // In order; a window that overlaps one refilled before it waits for another round.
 void Sweep::commit_round(const Pass &pass, Round &round) {
     Renumbered faces, vertices;
@@ -279,10 +310,20 @@ void Sweep::commit_round(const Pass &pass, Round &round) {
         for (auto *list : {&proposal.window.loop, &proposal.window.interior})
             for (int &v : *list)
                 v = vertices.now(v);
-        for (const auto &[v, point] : trial->moved)
-            mesh_.set_point(vertices.now(v), point);
+        for (std::size_t k = 0; k < trial->moved.size(); ++k) {
+            const int v = vertices.now(trial->moved[k].first);
+            mesh_.set_point(v, trial->moved[k].second);
+            if (ground_.surface)
+                ground_.anchors[at(v)] = trial->moved_anchors[k];
+        }
         const auto replaced = commit(mesh_, proposal);
-        follow(proposal, replaced);
+        follow(*trial, replaced);
+        if (ground_.coverage) {
+            std::vector<int> rim = round.places[i].rim;
+            for (int &f : rim)
+                f = faces.now(f);
+            cover(*trial, proposal.window.faces, rim, replaced);
+        }
         for (const int f : replaced.faces)
             faces.renew(f);
         for (const int v : replaced.vertices)
@@ -297,9 +338,20 @@ void Sweep::commit_round(const Pass &pass, Round &round) {
     waiting_.insert(waiting_.begin(), later.begin(), later.end());
 }
 
+// The first corners of faces whose scaled Jacobians are smaller.
+std::vector<int> Sweep::misshapen(double scaled_jacobian) const {
+    std::vector<int> vertices;
+    const std::vector<double> quality = ground_.scaled_jacobians(mesh_);
+    for (int f = 0; f < mesh_.n_faces(); ++f)
+        if (quality[at(f)] < scaled_jacobian)
+            vertices.push_back(mesh_.corners(f)[0]);
+    return vertices;
+}
+
 // In random order.
 std::vector<int> Sweep::choose_seeds(const Pass &pass) {
-    std::vector<int> seeds = irregular();
+    std::vector<int> seeds =
+        pass.purpose == Purpose::mend ? misshapen(pass.shape.scaled_jacobian) : irregular();
     const int elsewhere = pass.purpose == Purpose::count    ? most_elsewhere
                           : pass.purpose == Purpose::spread ? 2 * mesh_.n_faces() / std::max(1, pass.size)
                                                             : 0;
@@ -327,7 +379,8 @@ int Sweep::run(const Pass &pass, const std::function<void(double)> &between) {
         Round round = plan_round(pass);
         round.trials.resize(round.places.size());
         workers_.run(round.places.size(), [&](std::size_t i, std::size_t) {
-            round.trials[i] = attempt(mesh_, round.places[i], *round.goals[i], pass.shape, settings_);
+            round.trials[i] =
+                attempt(mesh_, round.places[i], *round.goals[i], pass.shape, settings_, ground_);
         });
         commit_round(pass, round);
     }

@@ -18,6 +18,7 @@ enum class Purpose {
     fewer_singularities,
     spread, // the faces go where they are wanted
     count,  // there come to be as many faces as are wanted
+    mend,   // the worst shapes become better
 };
 
 struct Pass {
@@ -31,8 +32,8 @@ struct Pass {
 class Sweep {
 public:
     // shares: how many of the wanted faces each face stands for.
-    Sweep(mesh::QuadMesh &mesh, std::vector<double> shares, const std::optional<Density> &density,
-          const Settings &settings);
+    Sweep(mesh::QuadMesh &mesh, Ground &ground, std::vector<double> shares,
+          const std::optional<Density> &density, const Settings &settings);
 
     // Tries a window around every singular vertex once, where faces are to be moved elsewhere, too, and
     // returns how many were refilled. `between` is called between rounds on the calling thread with the part
@@ -49,6 +50,7 @@ private:
     struct Round;
 
     std::vector<int> irregular() const;
+    std::vector<int> misshapen(double scaled_jacobian) const;
     Round plan_round(const Pass &pass);
     void grow_windows(const Pass &pass, Round &round);
     void choose_windows(const Pass &pass, Round &round);
@@ -59,9 +61,12 @@ private:
     std::optional<Goal> goal_of(const Pass &pass, const std::vector<int> &faces) const;
     bool welcome(const Pass &pass, const Trial &trial) const;
     void commit_round(const Pass &pass, Round &round);
-    void follow(const Proposal &proposal, const mesh::QuadMesh::Replaced &replaced);
+    void follow(const Trial &trial, const mesh::QuadMesh::Replaced &replaced);
+    void cover(const Trial &trial, std::span<const int> old, std::span<const int> rim,
+               const mesh::QuadMesh::Replaced &replaced);
 
     mesh::QuadMesh &mesh_;
+    Ground &ground_;
     const Settings settings_;
     std::vector<double> shares_; // [face]
     const std::optional<Density> &density_;

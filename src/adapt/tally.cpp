@@ -24,25 +24,6 @@ void count(const mesh::QuadMesh &mesh, std::map<int, std::int64_t> &valences, st
     }
 }
 
-geometry::Plane plane_of(const mesh::QuadMesh &mesh, std::span<const int> faces) {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    std::vector<Eigen::Vector3d> points;
-    for (const int f : faces) {
-        Eigen::Vector3d corner[4];
-        const auto corners = mesh.corners(f);
-        for (std::size_t k = 0; k < 4; ++k)
-            points.push_back(corner[k] = vector(mesh.point(corners[k])));
-        normal += (corner[2] - corner[0]).cross(corner[3] - corner[1]);
-    }
-    if (mesh.dim() == 2)
-        return geometry::Plane::of_coordinates(normal.z() < 0);
-    const geometry::Plane plane = geometry::Plane::fit(points, normal);
-    if (!plane.holds(points))
-        throw Failure(Fault::unsupported,
-                      "the mesh is curved; this version works on whole meshes that lie in a plane");
-    return plane;
-}
-
 geometry::Points flatten(const mesh::QuadMesh &mesh, const geometry::Plane &plane) {
     geometry::Points positions;
     positions.reserve(static_cast<std::size_t>(mesh.n_vertices()));

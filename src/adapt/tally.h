@@ -10,10 +10,6 @@ namespace alphamst::adapt {
 // Interior vertices by valence, and the singular ones.
 void count(const mesh::QuadMesh &mesh, std::map<int, std::int64_t> &valences, std::int64_t &singular);
 
-// The plane of some faces, on the side from which they run counter-clockwise. Throws Failure
-// (unsupported) where they do not lie in one.
-geometry::Plane plane_of(const mesh::QuadMesh &mesh, std::span<const int> faces);
-
 // All vertices of the mesh in the plane.
 geometry::Points flatten(const mesh::QuadMesh &mesh, const geometry::Plane &plane);
 

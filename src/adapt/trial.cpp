@@ -1,6 +1,7 @@
 #include "adapt/trial.h"
 
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 
 #include "adapt/obstacle.h"
@@ -10,8 +11,8 @@
 namespace alphamst::adapt {
 namespace {
 
-Shapeliness shape_of(const geometry::Embedding &embedding) {
-    return {embedding.min_scaled_jacobian, embedding.min_shape, static_cast<double>(embedding.poor)};
+Shapeliness shape_of(const geometry::Judgement &quads) {
+    return {quads.min_scaled_jacobian, quads.min_shape, static_cast<double>(quads.poor)};
 }
 
 Shapeliness both(const Shapeliness &a, const Shapeliness &b) {
@@ -24,12 +25,14 @@ bool reaches(const Shapeliness &reached, const Shapeliness &wanted) {
 }
 
 // What moving the rim has hardly ever mended (8 of 1,300 tries on two meshes).
+constexpr double least_gain = 0.05; // of the scaled Jacobian
 constexpr double hopeless_poor = 20, hopeless_shape = 0.4;
 
-// The faces around the window, in its plane, with a filling in their middle.
+// The faces around the window, with a filling in their middle.
 class Rim {
 public:
-    Rim(const mesh::QuadMesh &mesh, const Site &site, const std::vector<int> &faces) : site_(site) {
+    Rim(const mesh::QuadMesh &mesh, const Site &site, const std::vector<int> &faces)
+        : site_(site), faces_(faces) {
         for (std::size_t i = 0; i < site.window.loop.size(); ++i)
             number_.emplace(site.window.loop[i], static_cast<int>(i));
         vertices_ = site.window.loop;
@@ -52,17 +55,44 @@ public:
             const int inside = i < site.window.loop.size() ? site.window.inside[i] : 0;
             fixed_.push_back(found[i] + inside != mesh.valence(v) || patch::pinned(mesh, v));
         }
-        positions_ = site.flat(vertices_);
+        if (site.curved())
+            draped_ = site.draped(vertices_);
+        else
+            flat_ = site.flat(vertices_);
         if (!quads_.empty())
-            shape_ = shape_of(geometry::judge(quads_, positions_));
+            shape_ =
+                shape_of(site.curved() ? geometry::judge(quads_, draped_) : geometry::judge(quads_, flat_));
     }
 
     const Shapeliness &shape() const { return shape_; }
+    const std::vector<int> &faces() const { return faces_; }
 
-    // Lets the vertices of filling and rim move together. Positions are those of the filling, then
+    // Filling and rim; with the rim where it is if laid knows no places for it.
+    std::vector<Quad> quads(const fill::Filling &filling, const Laid &laid) const {
+        std::vector<Quad> all;
+        const auto n = static_cast<std::size_t>(filling.vertices);
+        const auto loop = static_cast<std::size_t>(filling.boundary);
+        for (const auto &q : filling.quads)
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (k == 0)
+                    all.emplace_back();
+                all.back()[k] = laid.draped.points[static_cast<std::size_t>(q[k])];
+            }
+        for (const auto &q : quads_)
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (k == 0)
+                    all.emplace_back();
+                const auto v = static_cast<std::size_t>(q[k]);
+                all.back()[k] = v < loop                        ? laid.draped.points[v]
+                                : laid.draped.points.size() > n ? laid.draped.points[v + n - loop]
+                                                                : draped_.points[v];
+            }
+        return all;
+    }
+
+    // Lets the vertices of filling and rim move together. Places are those of the filling, then
     // of the rim's own vertices.
-    geometry::Embedding improve(const fill::Filling &filling, const geometry::Points &positions,
-                                const geometry::EmbedOptions &options) const {
+    Laid improve(const fill::Filling &filling, Laid laid, const geometry::EmbedOptions &options) const {
         const int loop = filling.boundary, fresh = filling.vertices - loop;
         std::vector<std::array<int, 4>> quads = filling.quads;
         for (std::array<int, 4> quad : quads_) {
@@ -70,61 +100,115 @@ public:
                 v += v >= loop ? fresh : 0;
             quads.push_back(quad);
         }
-        geometry::Points all = positions;
-        all.insert(all.end(), positions_.begin() + loop, positions_.end());
         std::vector<char> fixed(fixed_.begin(), fixed_.begin() + loop);
         fixed.resize(static_cast<std::size_t>(filling.vertices), 0);
         fixed.insert(fixed.end(), fixed_.begin() + loop, fixed_.end());
-        return geometry::improve(quads, fixed, std::move(all), options);
+        const auto append = [&](auto &to, const auto &from) {
+            to.insert(to.end(), from.begin() + loop, from.end());
+        };
+        if (site_.curved()) {
+            append(laid.draped.points, draped_.points);
+            append(laid.draped.normals, draped_.normals);
+            append(laid.draped.anchors, draped_.anchors);
+            static_cast<geometry::Judgement &>(laid) =
+                geometry::improve(site_.surface(), quads, fixed, laid.draped, options);
+        } else {
+            append(laid.flat, flat_);
+            geometry::Embedding embedding = geometry::improve(quads, fixed, std::move(laid.flat), options);
+            static_cast<geometry::Judgement &>(laid) = embedding;
+            laid.flat = std::move(embedding.positions);
+        }
+        return laid;
     }
 
-    // The vertices of the mesh that an embedding of the whole moves.
-    void collect(const fill::Filling &filling, const geometry::Points &positions,
-                 std::vector<std::pair<int, OpenMesh::Vec3d>> &moved) const {
+    // The vertices of the mesh that the places of the whole move.
+    void collect(const fill::Filling &filling, const Laid &laid, Trial &trial) const {
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             if (fixed_[i])
                 continue;
             const std::size_t at = i < static_cast<std::size_t>(filling.boundary)
                                        ? i
                                        : i + static_cast<std::size_t>(filling.vertices - filling.boundary);
-            moved.emplace_back(vertices_[i], site_.lift(positions[at]));
+            if (site_.curved()) {
+                const Eigen::Vector3d &p = laid.draped.points[at];
+                trial.moved.emplace_back(vertices_[i], OpenMesh::Vec3d(p.x(), p.y(), p.z()));
+                trial.moved_anchors.push_back(laid.draped.anchors[at]);
+            } else {
+                trial.moved.emplace_back(vertices_[i], site_.lift(laid.flat[at]));
+            }
         }
     }
 
 private:
     const Site &site_;
+    const std::vector<int> &faces_;
     std::unordered_map<int, int> number_;
     std::vector<int> vertices_; // of the mesh: the loop, then others
     std::vector<std::array<int, 4>> quads_;
     std::vector<char> fixed_;
-    geometry::Points positions_;
+    geometry::Points flat_;
+    geometry::Drape draped_;
     Shapeliness shape_;
 };
 
+// Whether filling and rim stay near the surface, and the surface near them.
+bool stays_near(const Site &site, const Rim &rim, const fill::Filling &filling, const Laid &laid,
+                const Coverage &coverage, bool rim_moved, Trial &trial) {
+    const std::vector<Quad> quads = rim.quads(filling, laid);
+    for (std::size_t q = 0; q < filling.quads.size(); ++q) {
+        const Quad &c = quads[q];
+        const int anchor = laid.draped.anchors[static_cast<std::size_t>(filling.quads[q][0])];
+        if (site.surface().follow((c[0] + c[1] + c[2] + c[3]) / 4, anchor).distance > coverage.tolerance())
+            return false;
+    }
+    std::vector<int> faces = site.window.faces;
+    if (rim_moved)
+        faces.insert(faces.end(), rim.faces().begin(), rim.faces().end());
+    auto owners = coverage.cover(faces, quads);
+    if (owners)
+        trial.owners = std::move(*owners);
+    return owners.has_value();
+}
+
+// Forgets the places of the rim.
+void cut(Laid &laid, const fill::Filling &filling) {
+    const auto n = static_cast<std::size_t>(filling.vertices);
+    laid.flat.resize(std::min(laid.flat.size(), n));
+    laid.draped.points.resize(std::min(laid.draped.points.size(), n));
+    laid.draped.anchors.resize(std::min(laid.draped.anchors.size(), n));
+}
+
 std::optional<Trial> judge(const Site &site, const Rim &rim, const Shape &shape, const Shapeliness &wanted,
-                           const Settings &settings, Obstacles &obstacles) {
-    geometry::Embedding embedding = site.embed(shape);
+                           const Settings &settings, const std::optional<Coverage> &coverage,
+                           Obstacles &obstacles) {
+    Laid laid = site.lay(shape);
     const fill::Filling &filling = shape.filling;
-    if (embedding.stuck >= 0)
-        obstacles.learn(filling, embedding.stuck);
-    if (!embedding.valid)
+    if (laid.stuck >= 0)
+        obstacles.learn(filling, laid.stuck);
+    // In space the faces around may be what keeps a corner turned over.
+    if (!laid.valid && laid.draped.points.empty())
         return std::nullopt;
     Trial trial;
-    const Shapeliness first = both(shape_of(embedding), rim.shape());
+    const Shapeliness first = both(shape_of(laid), rim.shape());
     if (!reaches(first, wanted)) {
-        if (first.poor > wanted.poor + hopeless_poor || first.shape < hopeless_shape * wanted.shape)
+        if (first.poor > wanted.poor + hopeless_poor ||
+            (laid.valid && first.shape < hopeless_shape * wanted.shape))
             return std::nullopt;
         geometry::EmbedOptions options;
         options.steps = settings.smooth_steps;
         options.least_area = settings.least_area;
-        embedding = rim.improve(filling, embedding.positions, options);
-        if (!reaches(shape_of(embedding), wanted))
+        laid = rim.improve(filling, std::move(laid), options);
+        if (!laid.valid || !reaches(shape_of(laid), wanted))
             return std::nullopt;
-        rim.collect(filling, embedding.positions, trial.moved);
-        embedding.positions.resize(static_cast<std::size_t>(filling.vertices));
+        rim.collect(filling, laid, trial);
     }
+    if (coverage && !stays_near(site, rim, filling, laid, *coverage, !trial.moved.empty(), trial))
+        return std::nullopt;
+    cut(laid, filling);
     trial.proposal.window = site.window;
-    trial.proposal.points = site.lift(embedding.positions);
+    trial.proposal.points = site.lift(laid);
+    if (site.curved())
+        trial.anchors.assign(laid.draped.anchors.begin() + filling.boundary, laid.draped.anchors.end());
     trial.proposal.filling = filling;
     return trial;
 }
@@ -132,14 +216,16 @@ std::optional<Trial> judge(const Site &site, const Rim &rim, const Shape &shape,
 } // namespace
 
 std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, const Goal &goal,
-                             const Shapeliness &wanted, const Settings &settings) {
+                             const Shapeliness &wanted, const Settings &settings, const Ground &ground) {
     try {
         Region region;
         region.faces = place.faces;
-        const Site site(mesh, region, goal, settings);
+        const Site site(mesh, region, goal, settings, ground);
         const Rim rim(mesh, site, place.rim);
-        const Shapeliness before = both(shape_of(site.old_embedding), rim.shape());
-        Shapeliness least = {std::min(wanted.scaled_jacobian, before.scaled_jacobian),
+        const Shapeliness before = both(shape_of(site.old_shape), rim.shape());
+        // Where the old filling is no answer, it is to be bettered.
+        const double gain = goal.forbid_old ? least_gain : 0;
+        Shapeliness least = {std::min(wanted.scaled_jacobian, before.scaled_jacobian + gain),
                              std::min(wanted.shape, before.shape), 0};
         Obstacles obstacles;
         int tried = 0;
@@ -153,7 +239,7 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
                         !site.fits(shape.filling) || obstacles.met_by(shape.filling))
                         continue;
                     least.poor = before.poor + std::max(0.0, -change * wanted.poor);
-                    if (auto trial = judge(site, rim, shape, least, settings, obstacles)) {
+                    if (auto trial = judge(site, rim, shape, least, settings, ground.coverage, obstacles)) {
                         trial->singular_change = change;
                         return trial;
                     }

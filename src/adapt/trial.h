@@ -24,13 +24,18 @@ struct Shapeliness {
 struct Trial {
     Proposal proposal;
     std::vector<std::pair<int, OpenMesh::Vec3d>> moved; // vertices of the rim and the loop
-    int singular_change = 0;                            // those of the mesh boundary included
+    // On a surface: the triangles under the new vertices and under the moved ones.
+    std::vector<int> anchors, moved_anchors;
+    // The samples of the window, or of window and rim if that moves: their quads are those of the
+    // filling, then of the rim.
+    std::vector<Coverage::Owner> owners;
+    int singular_change = 0; // those of the mesh boundary included
 };
 
 // The first filling, best numbers first, that meets the goal and is, together with the rim, as
 // shapely as wanted, or as it was before if that is less. Nothing if there is none. The result
 // depends on the arguments alone.
 std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, const Goal &goal,
-                             const Shapeliness &wanted, const Settings &settings);
+                             const Shapeliness &wanted, const Settings &settings, const Ground &ground);
 
 } // namespace alphamst::adapt

@@ -1,4 +1,4 @@
-// Whole planar meshes: sweeps with windows that grow until nothing improves, then the exact
+// Whole meshes: sweeps with windows that grow until nothing improves, then the exact
 // number of faces, then the shape of all.
 #include <algorithm>
 #include <array>
@@ -21,12 +21,26 @@ constexpr double best_quality = 0.5, least_quality = 0.3, least_shape = 0.1;
 constexpr double poor_price = 5; // quads that may become poor for one singularity less
 
 constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
+constexpr double most_misshapen = 100; // poor quads that a better worst one may cost
 constexpr int large = 160;
 constexpr int most_of_mesh = 12;    // larger windows than such a part of the mesh hardly ever come right
 constexpr int repeats = 3;          // with windows of one size
 constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
+constexpr double tolerance = 0.6;   // of the distance to the surface, in wanted edge lengths
 constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
-constexpr int most_added = 16;      // singularities for the last faces
+constexpr double far = 0.1;         // of the wanted faces; fewer that are missing are left to the count
+constexpr int most_on_way = 2;      // singularities that a window may add meanwhile
+
+// What the last faces may cost, little by little: part of the shape that windows keep, singularities added,
+// tolerance of the distance to the surface.
+struct Level {
+    double shape;
+    int added;
+    double tolerance;
+};
+constexpr std::size_t most_sizes = 3; // of windows, the most promising
+constexpr std::array<Level, 7> levels = {
+    {{1, 0, 1}, {0.6, 0, 1}, {1, 2, 1}, {0.6, 2, 1}, {0.6, 4, 1.4}, {0.4, 8, 2}, {0.2, 16, 3}}};
 
 // A filling that does not come right soon gives way to another window.
 Settings hasty(Settings settings) {
@@ -38,15 +52,8 @@ Settings hasty(Settings settings) {
 }
 
 // What all but one in a hundred faces of the mesh exceed, and some room to move.
-double working_quality(const mesh::QuadMesh &mesh, const geometry::Points &positions) {
-    std::vector<double> quality;
-    constexpr std::array<std::array<int, 4>, 1> alone = {{{0, 1, 2, 3}}};
-    for (const auto &quad : mesh.faces()) {
-        geometry::Points corners;
-        for (const int v : quad)
-            corners.push_back(positions[static_cast<std::size_t>(v)]);
-        quality.push_back(geometry::judge(alone, std::move(corners)).min_scaled_jacobian);
-    }
+double working_quality(const mesh::QuadMesh &mesh, const Ground &ground) {
+    std::vector<double> quality = ground.scaled_jacobians(mesh);
     const auto nth = quality.begin() + static_cast<std::ptrdiff_t>(quality.size() / 100);
     std::nth_element(quality.begin(), nth, quality.end());
     return std::clamp(0.75 * *nth, least_quality, best_quality);
@@ -65,17 +72,24 @@ std::vector<double> shares(const mesh::QuadMesh &mesh, const std::optional<Densi
     return share;
 }
 
+Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, std::int64_t wanted) {
+    constexpr std::size_t samples = 5; // for each wanted face
+    const double edge = std::sqrt(surface.area() / static_cast<double>(std::max<std::int64_t>(1, wanted)));
+    return Coverage(surface, mesh, samples * static_cast<std::size_t>(wanted), tolerance * edge);
+}
+
 class Whole {
 public:
-    Whole(mesh::QuadMesh &mesh, const geometry::Plane &plane, double alpha, const Settings &settings,
+    Whole(mesh::QuadMesh &mesh, Ground &ground, double alpha, const Settings &settings,
           const Progress &progress)
-        : mesh_(mesh), plane_(plane), settings_(hasty(settings)), progress_(progress),
-          density_(Density::of(mesh)), sweep_(mesh, shares(mesh, density_, alpha), density_, settings_),
-          quality_(std::max(working_quality(mesh, flatten(mesh, plane)), settings.min_quality)) {}
+        : mesh_(mesh), ground_(ground), settings_(hasty(settings)), progress_(progress),
+          density_(Density::of(mesh, ground, wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces())))),
+          sweep_(mesh, ground, shares(mesh, density_, alpha), density_, settings_),
+          quality_(std::max(working_quality(mesh, ground), settings.min_quality)) {}
 
     // Faces go to where a size field wants them, before singularities are saved.
     void spread() {
-        if (!density_)
+        if (!density_ || !density_->wished())
             return;
         for (const int size : {60, 100, 60, 100, 160}) {
             Pass pass;
@@ -85,7 +99,7 @@ public:
             pass.shape = wish(1);
             pass.most_added = 8;
             if (run(pass, "spread", 0, 0) > 0)
-                relax(mesh_, plane_, density_, settings_);
+                relax(mesh_, ground_, density_, settings_);
         }
     }
 
@@ -94,8 +108,10 @@ public:
         const double part = 0.8 / static_cast<double>(sizes.size());
         int idle = 0; // sizes in a row that saved little
         for (std::size_t i = 0; i < sizes.size(); ++i) {
-            if (sizes[i] < smallest || sizes[i] > std::max(large, mesh_.n_faces() / most_of_mesh))
+            if (sizes[i] < smallest || sizes[i] > largest())
                 continue;
+            if (static_cast<double>(std::abs(sweep_.missing())) > far * static_cast<double>(sweep_.wanted()))
+                approach(sizes[i], part * static_cast<double>(i));
             Pass pass;
             pass.size = sizes[i];
             pass.slack = sizes[i] <= large ? slack : slack * large / (2 * sizes[i]);
@@ -107,11 +123,23 @@ public:
                     now - sweep_.singular() < worthwhile * now)
                     break;
             if (sweep_.singular() < before)
-                relax(mesh_, plane_, density_, settings_);
+                relax(mesh_, ground_, density_, settings_);
             idle = before - sweep_.singular() < worthwhile * before ? idle + 1 : 0;
             if (sizes[i] >= large && idle > 1)
                 break;
         }
+    }
+
+    // Far from the wanted count every part of the mesh takes its share of the way.
+    void approach(int size, double start) {
+        Pass pass;
+        pass.purpose = Purpose::spread;
+        pass.size = std::clamp(size, 30, large);
+        pass.slack = far;
+        pass.shape = wish(1);
+        pass.most_added = most_on_way;
+        if (run(pass, "approach", start, 0) > 0)
+            relax(mesh_, ground_, density_, settings_);
     }
 
     // Windows just large enough to take up what is missing come first; singularities are added, and
@@ -119,32 +147,56 @@ public:
     // True if it changed anything.
     bool count() {
         const auto missing = sweep_.missing();
-        for (int level = 0; level <= most_added && sweep_.missing() != 0; ++level) {
+        const double near = ground_.coverage ? ground_.coverage->tolerance() : 0;
+        for (const Level &level : levels) {
+            if (sweep_.missing() == 0)
+                break;
+            if (ground_.coverage)
+                ground_.coverage->set_tolerance(level.tolerance * near);
             std::vector<int> order = {40, 60, 100, 160, 250, 400, 600};
             const auto rank = [&](int size) {
                 return size >= 4 * std::abs(sweep_.missing()) ? size : 2000 - size;
             };
             std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
+            std::erase_if(order, [&](int size) { return size > largest(); });
+            order.resize(std::min(order.size(), most_sizes));
             for (const int size : order) {
                 Pass pass;
                 pass.size = size;
-                pass.shape = wish(level % 2 == 0 ? 1 : 0.6);
+                pass.shape = wish(level.shape);
                 pass.purpose = Purpose::count;
-                pass.most_added = level / 2 * 2;
+                pass.most_added = level.added;
                 for (int done = 1; done > 0 && sweep_.missing() != 0;)
                     done = run(pass, "count", 0.8, 0.15);
             }
         }
+        if (ground_.coverage)
+            ground_.coverage->set_tolerance(near);
         return sweep_.missing() != missing;
+    }
+
+    // What is left of bad shapes, most often of the input: around them any filling that is better.
+    void mend() {
+        for (const int added : {0, 2})
+            for (const int size : {16, 30, 60}) {
+                Pass pass;
+                pass.purpose = Purpose::mend;
+                pass.size = size;
+                pass.most_added = added;
+                pass.shape = {added == 0 ? least_quality : least_quality / 3, 0, most_misshapen};
+                run(pass, "mend", 0.95, 0);
+            }
     }
 
     void finish() {
         progress_(0.95, "relax");
-        relax(mesh_, plane_, density_, settings_);
+        relax(mesh_, ground_, density_, settings_);
         progress_(1, "relax");
     }
 
 private:
+    int largest() const { return std::max(large, mesh_.n_faces() / most_of_mesh); }
+
     Shapeliness wish(double part) const { return {part * quality_, part * least_shape, poor_price}; }
 
     int run(const Pass &pass, const char *stage, double start, double part) {
@@ -152,7 +204,7 @@ private:
     }
 
     mesh::QuadMesh &mesh_;
-    const geometry::Plane &plane_;
+    Ground &ground_;
     const Settings settings_;
     const Progress &progress_;
     const std::optional<Density> density_;
@@ -166,17 +218,18 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
     Outcome outcome;
     outcome.faces_before = outcome.faces_after = mesh.n_faces();
     outcome.faces_wanted = wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces()));
-    std::vector<int> faces(static_cast<std::size_t>(mesh.n_faces()));
-    std::iota(faces.begin(), faces.end(), 0);
-    if (faces.empty())
+    if (mesh.n_faces() == 0)
         return outcome;
-    const geometry::Plane plane = plane_of(mesh, faces);
+    Ground ground = ground_of(mesh);
+    if (ground.surface)
+        ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted);
     const auto describe = [&](auto &valences, std::int64_t &singular, double &quality) {
         count(mesh, valences, singular);
-        quality = geometry::judge(mesh.faces(), flatten(mesh, plane)).min_scaled_jacobian;
+        const std::vector<double> each = ground.scaled_jacobians(mesh);
+        quality = *std::min_element(each.begin(), each.end());
     };
     describe(outcome.valences_before, outcome.singular_before, outcome.quality_before);
-    Whole work(mesh, plane, alpha, settings, progress);
+    Whole work(mesh, ground, alpha, settings, progress);
     work.spread();
     work.reduce(0);
     if (exact && work.count()) {
@@ -184,6 +237,7 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
         work.count();
     }
     work.finish();
+    work.mend();
     outcome.faces_after = mesh.n_faces();
     describe(outcome.valences_after, outcome.singular_after, outcome.quality_after);
     if (exact && outcome.faces_after != outcome.faces_wanted)

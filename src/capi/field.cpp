@@ -11,8 +11,10 @@
 namespace alphamst::capi {
 namespace {
 
-// The field an operation reads: the wanted edge length at each vertex.
+// The fields that the library reads: the wanted edge length at each vertex, and a direction of edges at
+// each face.
 constexpr std::string_view size_name = "size";
+constexpr std::string_view cross_name = "cross";
 
 static_assert(int{AMST_CARRY_DROP} == static_cast<int>(mesh::Carry::drop) &&
               int{AMST_CARRY_INHERIT} == static_cast<int>(mesh::Carry::inherit) &&
@@ -71,6 +73,15 @@ void require_size(const mesh::Field &field) {
                       {found - field.values.begin()});
 }
 
+void require_cross(const mesh::Field &field) {
+    if (field.entity != Entity::face)
+        throw Failure(Fault::argument, "\"cross\" is a direction of edges at faces; give a field on " +
+                                           plural(field.entity) + " another name");
+    if (field.components != 3)
+        throw Failure(Fault::range, "\"cross\" is a direction in space: it has 3 components, not " +
+                                        std::to_string(field.components));
+}
+
 const mesh::Field &find(const mesh::QuadMesh &mesh, Entity entity, std::string_view name) {
     const mesh::Field *field = mesh.fields.find(entity, name);
     if (field == nullptr)
@@ -107,6 +118,8 @@ amst_status amst_mesh_set_field(amst_mesh *mesh, std::int32_t entity, const char
         require_finite(*field);
         if (field->name == size_name)
             require_size(*field);
+        if (field->name == cross_name)
+            require_cross(*field);
         target.writable().fields.set(std::move(field));
     });
 }

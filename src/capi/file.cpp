@@ -1,17 +1,41 @@
 // Meshes and patches from and to files.
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/limits.h"
+#include "capi/options.h"
 #include "io/arrays.h"
 #include "io/svg.h"
+#include "mesh/quadrangulate.h"
 #include "patch/window.h"
 
 namespace alphamst::capi {
 namespace {
+
+// Without triangles.
+io::Arrays all_quad(io::Arrays arrays, mesh::Quadrangulation how) {
+    if (!mesh::any_triangle(arrays.faces))
+        return arrays;
+    std::vector<std::array<std::int32_t, 2>> curves;
+    for (const auto &[vertices, marker] : arrays.marked_edges)
+        curves.push_back(vertices);
+    mesh::Quads quads = mesh::quadrangulate({arrays.points, arrays.faces, arrays.face_marker, curves}, how);
+    io::Arrays result;
+    result.dim = arrays.dim;
+    if (!arrays.face_marker.empty())
+        for (const std::int32_t face : quads.origin)
+            result.face_marker.push_back(arrays.face_marker[static_cast<std::size_t>(face)]);
+    for (const auto &[vertices, marker] : arrays.marked_edges)
+        for (const std::array<std::int32_t, 2> &piece : mesh::pieces(quads, vertices))
+            result.marked_edges.push_back({piece, marker});
+    result.points = std::move(quads.points);
+    result.faces = std::move(quads.faces);
+    return result;
+}
 
 mesh::QuadMesh mesh_of(const io::Arrays &arrays) {
     const auto n = static_cast<std::int32_t>(arrays.points.size() / 3);
@@ -63,6 +87,23 @@ void append_outlines(std::vector<std::vector<std::int32_t>> &outlines, const mes
     }
 }
 
+// The way of each chord through each face, where the edges it enters and leaves by have one number.
+void append_chords(std::vector<io::Line> &lines, const mesh::QuadMesh &mesh,
+                   const std::vector<double> &chords) {
+    const std::size_t components = chords.size() / static_cast<std::size_t>(mesh.n_edges());
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        const std::array<int, 4> v = mesh.corners(f);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const std::array<int, 2> from{v[k], v[k + 1]}, to{v[k + 2], v[(k + 3) % 4]};
+            const auto number = [&](const std::array<int, 2> &edge) {
+                return chords[components * static_cast<std::size_t>(mesh.find_edge(edge[0], edge[1]))];
+            };
+            if (number(from) == number(to) && std::abs(number(from)) < 9e15)
+                lines.push_back({from, to, std::llround(number(from))});
+        }
+    }
+}
+
 bool is_picture(std::string_view path) { return path.ends_with(".svg") || path.ends_with(".SVG"); }
 
 } // namespace
@@ -71,12 +112,14 @@ bool is_picture(std::string_view path) { return path.ends_with(".svg") || path.e
 using namespace alphamst;
 using namespace alphamst::capi;
 
-amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *, amst_mesh **out) {
+amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
+                           amst_mesh **out) {
     return guarded(index_base(ctx), [&] {
         const std::shared_ptr<Context> &context = required(ctx, "ctx").impl;
         required(path, "path");
         amst_mesh *&created = required(out, "out");
-        std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(mesh_of(io::read(path))));
+        std::shared_ptr<mesh::QuadMesh> mesh(
+            new mesh::QuadMesh(mesh_of(all_quad(io::read(path), quadrangulation_of(options)))));
         created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
     });
 }
@@ -85,7 +128,15 @@ amst_status amst_mesh_write(const amst_mesh *mesh, const char *path) {
     return guarded(index_base(mesh), [&] {
         const mesh::QuadMesh &current = *required(mesh, "mesh").impl->current;
         required(path, "path");
-        io::write(path, arrays_of(current));
+        const io::Arrays arrays = arrays_of(current);
+        const std::vector<double> *chords = current.field(Entity::edge, "chord");
+        if (chords == nullptr || !is_picture(path)) {
+            io::write(path, arrays);
+            return;
+        }
+        io::Picture picture = io::picture(arrays);
+        append_chords(picture.lines, current, *chords);
+        io::write_svg(path, picture);
     });
 }
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -5,6 +6,7 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/ids.h"
+#include "mesh/feature.h"
 
 namespace alphamst::capi {
 namespace {
@@ -25,6 +27,13 @@ void require_flags(std::int32_t bits, const char *name) {
     if ((bits & ~every_flag) != 0)
         throw Failure(Fault::range,
                       std::string(name) + " has bits that are no flag: " + std::to_string(bits));
+}
+
+void require_angle(double angle) {
+    if (!std::isfinite(angle))
+        throw Failure(Fault::not_finite, "angle is not a finite number");
+    if (angle < 0 || angle > 180)
+        throw Failure(Fault::range, "angle is in degrees, 0 to 180; it is " + std::to_string(angle));
 }
 
 } // namespace
@@ -74,5 +83,23 @@ amst_status amst_mesh_get_flags(const amst_mesh *mesh, std::int32_t entity, std:
         const Flags &flags = asked.*flags_of(kind);
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
             out[i] = i < flags.size() ? flags[i] : 0;
+    });
+}
+
+amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, std::int64_t *found) {
+    return guarded(index_base(mesh), [&] {
+        Mesh &target = *required(mesh, "mesh").impl;
+        target.context->require_idle();
+        require_angle(angle);
+        const mesh::Features features = mesh::find_features(*target.current, angle);
+        mesh::QuadMesh &marked = target.writable();
+        marked.edge_flags.resize(static_cast<std::size_t>(marked.n_edges()));
+        marked.vertex_flags.resize(static_cast<std::size_t>(marked.n_vertices()));
+        for (const int e : features.edges)
+            marked.edge_flags[static_cast<std::size_t>(e)] |= mesh::feature;
+        for (const int v : features.corners)
+            marked.vertex_flags[static_cast<std::size_t>(v)] |= mesh::corner;
+        if (found != nullptr)
+            *found = static_cast<std::int64_t>(features.edges.size());
     });
 }

@@ -103,6 +103,8 @@ amst_status status_of(Fault fault) noexcept {
         return AMST_ERR_NO_FILLING;
     case Fault::geometry:
         return AMST_ERR_GEOMETRY;
+    case Fault::chord:
+        return AMST_ERR_CHORD;
     case Fault::stale:
         return AMST_ERR_STALE;
     case Fault::not_found:

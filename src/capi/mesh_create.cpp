@@ -6,6 +6,8 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/limits.h"
+#include "capi/options.h"
+#include "mesh/quadrangulate.h"
 
 namespace alphamst::capi {
 namespace {
@@ -49,52 +51,63 @@ std::span<const double> points_of(const Strided<double> &coords, std::vector<dou
     return kept;
 }
 
+// Rows of four, the last corner of a triangle being -1.
 template <typename Id>
 std::span<const std::int32_t> faces_of(const Strided<Id> &corners, int index_base, std::int64_t n_vertices,
                                        std::vector<std::int32_t> &kept) {
     if constexpr (std::is_same_v<Id, std::int32_t>)
-        if (index_base == 0 && corners.packed())
+        if (index_base == 0 && corners.columns == 4 && corners.packed())
             return {corners.first, static_cast<std::size_t>(corners.rows) * 4};
-    kept.resize(static_cast<std::size_t>(corners.rows) * 4);
-    std::int32_t *to = kept.data();
-    for (std::int64_t f = 0; f < corners.rows; ++f)
-        for (int c = 0; c < 4; ++c) {
+    kept.resize(static_cast<std::size_t>(corners.rows) * 4, -1);
+    for (std::int64_t f = 0; f < corners.rows; ++f) {
+        std::int32_t *to = kept.data() + 4 * f;
+        for (int c = 0; c < corners.columns; ++c) {
             const std::int64_t id = corners(f, c);
-            if (id < index_base || id - index_base >= n_vertices)
+            const bool none = c == 3 && id == index_base - 1;
+            if (!none && (id < index_base || id - index_base >= n_vertices))
                 throw Failure(Fault::range,
                               "face {} has a corner " + std::to_string(id) +
                                   ", which is no vertex: there are " + std::to_string(n_vertices),
                               Entity::face, {f});
             *to++ = static_cast<std::int32_t>(id - index_base);
         }
+    }
     return kept;
+}
+
+mesh::QuadMesh build(int dim, std::span<const double> points, std::span<const std::int32_t> faces,
+                     mesh::Quadrangulation how) {
+    if (!mesh::any_triangle(faces))
+        return mesh::QuadMesh::build(dim, points, faces);
+    const mesh::Quads quads = mesh::quadrangulate({points, faces, {}, {}}, how);
+    return mesh::QuadMesh::build(dim, quads.points, quads.faces);
 }
 
 template <typename Id>
 void create(amst_context *ctx, std::int32_t dim, const double *coords, std::int64_t n_vertices,
             std::int64_t vertex_stride, std::int64_t component_stride, const Id *faces, std::int64_t n_faces,
             std::int64_t face_stride, std::int64_t corner_stride, std::int32_t corners_per_face,
-            amst_mesh **out) {
+            const amst_options *options, amst_mesh **out) {
     const std::shared_ptr<Context> &context = required(ctx, "ctx").impl;
     amst_mesh *&created = required(out, "out");
     require_array(coords, n_vertices, "coords", "n_vertices");
     require_array(faces, n_faces, "faces", "n_faces");
     if (dim != 2 && dim != 3)
         throw Failure(Fault::argument, "dim must be 2 or 3, it is " + std::to_string(dim));
-    if (corners_per_face != 4)
+    if (corners_per_face != 3 && corners_per_face != 4)
         throw Failure(Fault::argument,
-                      "corners_per_face must be 4, it is " + std::to_string(corners_per_face));
+                      "corners_per_face must be 3 or 4, it is " + std::to_string(corners_per_face));
     require_size(n_vertices, n_faces);
     const auto points = strided(coords, n_vertices, dim, vertex_stride, component_stride, "vertex_stride",
                                 "component_stride");
     const auto corners =
-        strided(faces, n_faces, 4, face_stride, corner_stride, "face_stride", "corner_stride");
+        strided(faces, n_faces, corners_per_face, face_stride, corner_stride, "face_stride", "corner_stride");
     std::vector<double> kept_points;
     std::vector<std::int32_t> kept_faces;
     // Built in place: the kernel has no move constructor.
     std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(
-        mesh::QuadMesh::build(dim, points_of(points, kept_points),
-                              faces_of(corners, context->index_base, n_vertices, kept_faces))));
+        build(dim, points_of(points, kept_points),
+              faces_of(corners, context->index_base, n_vertices, kept_faces), quadrangulation_of(options))));
     created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
 }
 
@@ -104,16 +117,14 @@ void create(amst_context *ctx, std::int32_t dim, const double *coords, std::int6
 using namespace alphamst;
 using namespace alphamst::capi;
 
-// No option changes yet what a mesh is made of.
-
 amst_status amst_mesh_create(amst_context *ctx, std::int32_t dim, const double *coords,
                              std::int64_t n_vertices, std::int64_t vertex_stride,
                              std::int64_t component_stride, const std::int32_t *faces, std::int64_t n_faces,
                              std::int64_t face_stride, std::int64_t corner_stride,
-                             std::int32_t corners_per_face, const amst_options *, amst_mesh **out) {
+                             std::int32_t corners_per_face, const amst_options *options, amst_mesh **out) {
     return guarded(index_base(ctx), [&] {
         create(ctx, dim, coords, n_vertices, vertex_stride, component_stride, faces, n_faces, face_stride,
-               corner_stride, corners_per_face, out);
+               corner_stride, corners_per_face, options, out);
     });
 }
 
@@ -121,9 +132,10 @@ amst_status amst_mesh_create_i64(amst_context *ctx, std::int32_t dim, const doub
                                  std::int64_t n_vertices, std::int64_t vertex_stride,
                                  std::int64_t component_stride, const std::int64_t *faces,
                                  std::int64_t n_faces, std::int64_t face_stride, std::int64_t corner_stride,
-                                 std::int32_t corners_per_face, const amst_options *, amst_mesh **out) {
+                                 std::int32_t corners_per_face, const amst_options *options,
+                                 amst_mesh **out) {
     return guarded(index_base(ctx), [&] {
         create(ctx, dim, coords, n_vertices, vertex_stride, component_stride, faces, n_faces, face_stride,
-               corner_stride, corners_per_face, out);
+               corner_stride, corners_per_face, options, out);
     });
 }

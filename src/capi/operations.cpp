@@ -1,6 +1,8 @@
+#include "adapt/chord.h"
 #include "capi/change.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
+#include "capi/limits.h"
 
 using namespace alphamst;
 using namespace alphamst::capi;
@@ -16,7 +18,10 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
         Change change("adapt", *mesh, patches);
         const adapt::Settings settings = settings_of(chosen, change.threads());
         std::vector<adapt::Outcome> outcomes;
-        if (patches == nullptr)
+        if (patches == nullptr && chosen.strategy == 1)
+            outcomes = {adapt::adapt_chords(change.mesh(), alpha, max_faces, rules_of(chosen), settings,
+                                            change.progress())};
+        else if (patches == nullptr)
             outcomes = {adapt::adapt_whole(change.mesh(), alpha, settings, change.progress())};
         else
             outcomes = adapt::adapt(change.mesh(), change.regions(), alpha, settings, change.progress());

@@ -25,6 +25,9 @@ constexpr Knob<std::int64_t> integers[] = {
     {AMST_OPT_REPAIR_PATCHES, "AMST_OPT_REPAIR_PATCHES", &Options::repair_patches, 0, 1},
     {AMST_OPT_CANDIDATES, "AMST_OPT_CANDIDATES", &Options::candidates, 1, 1000},
     {AMST_OPT_NODE_LIMIT, "AMST_OPT_NODE_LIMIT", &Options::node_limit, 0, 1000000000},
+    {AMST_OPT_QUADRANGULATE, "AMST_OPT_QUADRANGULATE", &Options::quadrangulate, 0, 1},
+    {AMST_OPT_EDIT_BOUNDARY, "AMST_OPT_EDIT_BOUNDARY", &Options::edit_boundary, 0, 1},
+    {AMST_OPT_STRATEGY, "AMST_OPT_STRATEGY", &Options::strategy, 0, 1},
 };
 
 constexpr Knob<double> reals[] = {
@@ -52,6 +55,17 @@ template <typename T> void set(Options &options, const Knob<T> &knob, T value) {
 } // namespace
 
 Options options_of(const amst_options *options) { return options == nullptr ? Options() : options->impl; }
+
+mesh::Quadrangulation quadrangulation_of(const amst_options *options) {
+    return options_of(options).quadrangulate == 0 ? mesh::Quadrangulation::pair
+                                                  : mesh::Quadrangulation::split;
+}
+
+chord::Rules rules_of(const Options &options) {
+    chord::Rules rules;
+    rules.boundary = options.edit_boundary != 0;
+    return rules;
+}
 
 adapt::Settings settings_of(const Options &options, int threads) {
     adapt::Settings settings;

@@ -5,6 +5,8 @@
 
 #include "adapt/adapt.h"
 #include "alphamst/alphamst.h"
+#include "chord/judge.h"
+#include "mesh/quadrangulate.h"
 
 namespace alphamst::capi {
 
@@ -14,6 +16,9 @@ struct Options {
     std::int64_t repair_patches = 1;
     std::int64_t candidates = 16;
     std::int64_t node_limit = 1000;
+    std::int64_t quadrangulate = 0;
+    std::int64_t edit_boundary = 0;
+    std::int64_t strategy = 0;
     double min_quality = 0;
     double min_convexity = 0.6;
     double patch_faces = 100;
@@ -21,6 +26,10 @@ struct Options {
 
 // Those of the handle, all defaults for NULL.
 Options options_of(const amst_options *options);
+
+mesh::Quadrangulation quadrangulation_of(const amst_options *options);
+
+chord::Rules rules_of(const Options &options);
 
 adapt::Settings settings_of(const Options &options, int threads);
 

@@ -41,7 +41,10 @@ bool angles_suffice(const Stars &stars, Loop loop) {
 
 // The convex embedding in a circle of the loop's area, then the loop moved to its place.
 bool start_from_circle(const Tutte &tutte, Loop loop, Points &points) {
-    const Points circle = loop_on_circle(loop);
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        lengths.push_back((loop[(i + 1) % loop.size()] - loop[i]).norm());
+    const Points circle = loop_on_circle(lengths);
     const double shrink = 1 / std::sqrt(enclosed_area(circle));
     for (std::size_t i = 0; i < loop.size(); ++i)
         points[i] = circle[i] * shrink * std::sqrt(enclosed_area(loop));

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "geometry/judgement.h"
+
 namespace alphamst::geometry {
 
 using Quads = std::span<const std::array<int, 4>>;
@@ -15,18 +17,13 @@ using Points = std::vector<Eigen::Vector2d>;
 // Vertices 0 .. boundary-1 are fixed and run counter-clockwise around the disk;
 // the others are free. Positions of all vertices are in one array.
 
-// Tutte (1963): the loop on a circle, spaced as the fixed loop's edges are, every free
+// Tutte (1963): the loop, with edges of these lengths, on a circle around the origin, every free
 // vertex the mean of its neighbours. Every face of a 3-connected filling is convex.
-Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const Eigen::Vector2d> loop);
+Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const double> lengths);
 
-struct Embedding {
-    Points positions;           // all vertices; the first `boundary` equal the loop
-    double min_determinant = 0; // smallest corner determinant (signed area of the corner)
-    double min_scaled_jacobian = 0;
-    double min_shape = 0; // Verdict's: 1 for a square, falls as quads get thin, too
-    int poor = 0;         // quads with an angle outside 45 to 135 degrees or a shape below 0.3
-    bool valid = false;   // every corner determinant is positive
-    int stuck = -1;       // where it is not: the quad that resisted most, if few did
+struct Embedding : Judgement {
+    Points positions; // all vertices; the first `boundary` equal the loop
+    int stuck = -1;   // where it is not valid: the quad that resisted most, if few did
 };
 
 struct EmbedOptions {
@@ -53,5 +50,7 @@ Embedding improve(Quads quads, std::span<const char> fixed, Points positions, co
 
 // Smallest corner determinant and smallest scaled Jacobian over the quads.
 Embedding judge(Quads quads, Points positions);
+// The same without the places.
+Judgement shapes_of(Quads quads, const Points &positions);
 
 } // namespace alphamst::geometry

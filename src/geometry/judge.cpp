@@ -13,8 +13,8 @@ constexpr double acceptable_sine = 0.70710678, acceptable_shape = 0.3;
 
 } // namespace
 
-Embedding judge(Quads quads, Points positions) {
-    Embedding result;
+Judgement shapes_of(Quads quads, const Points &positions) {
+    Judgement result;
     double determinant = std::numeric_limits<double>::infinity(), jacobian = 1, shape = 1;
     for (const auto &quad : quads) {
         Eigen::Vector2d edge[4]; // from corner k to corner k+1
@@ -47,6 +47,12 @@ Embedding judge(Quads quads, Points positions) {
     result.min_determinant = quads.empty() ? 0 : determinant;
     result.min_scaled_jacobian = quads.empty() ? 0 : jacobian;
     result.min_shape = quads.empty() ? 0 : shape;
+    return result;
+}
+
+Embedding judge(Quads quads, Points positions) {
+    Embedding result;
+    static_cast<Judgement &>(result) = shapes_of(quads, positions);
     result.positions = std::move(positions);
     return result;
 }

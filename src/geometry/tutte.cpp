@@ -53,12 +53,12 @@ bool Tutte::solve(Points &points) const {
     return true;
 }
 
-Points loop_on_circle(std::span<const Eigen::Vector2d> loop) {
+Points loop_on_circle(std::span<const double> lengths) {
     std::vector<double> along;
     double length = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
+    for (const double edge : lengths) {
         along.push_back(length);
-        length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+        length += edge;
     }
     Points circle;
     const double radius = length / (2 * std::numbers::pi);
@@ -67,11 +67,11 @@ Points loop_on_circle(std::span<const Eigen::Vector2d> loop) {
     return circle;
 }
 
-Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const Eigen::Vector2d> loop) {
+Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const double> lengths) {
     const Stars stars(quads, vertices);
     std::vector<char> fixed(static_cast<std::size_t>(vertices), 0);
     std::fill_n(fixed.begin(), boundary, char(1));
-    Points points = loop_on_circle(loop);
+    Points points = loop_on_circle(lengths);
     points.resize(static_cast<std::size_t>(vertices), Eigen::Vector2d::Zero());
     Tutte(stars, fixed).solve(points);
     return points;

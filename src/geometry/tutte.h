@@ -26,7 +26,7 @@ private:
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
 };
 
-// The positions of the loop moved to a circle of equal length around the origin.
-Points loop_on_circle(std::span<const Eigen::Vector2d> loop);
+// A loop with edges of these lengths on a circle of its length around the origin.
+Points loop_on_circle(std::span<const double> lengths);
 
 } // namespace alphamst::geometry

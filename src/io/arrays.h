@@ -1,4 +1,4 @@
-// A mesh as plain arrays: what every reader returns and every writer takes.
+// A mesh as plain arrays: what every reader returns and every writer takes, which has no triangles.
 #pragma once
 
 #include <array>
@@ -9,9 +9,10 @@
 namespace alphamst::io {
 
 struct Arrays {
-    int dim = 3;                           // 2 when the file is planar (every z is 0)
-    std::vector<double> points;            // [n_vertices][3], z is 0 when dim is 2
-    std::vector<std::int32_t> faces;       // [n_faces][4] vertices, 0-based, as in the file
+    int dim = 3;                // 2 when the file is planar (every z is 0)
+    std::vector<double> points; // [n_vertices][3], z is 0 when dim is 2
+    std::vector<std::int32_t>
+        faces; // [n_faces][4] vertices, 0-based, as in the file, the last of a triangle -1
     std::vector<std::int32_t> face_marker; // [n_faces] region numbers, or empty
     struct MarkedEdge {
         std::array<std::int32_t, 2> vertices;
@@ -23,7 +24,7 @@ struct Arrays {
 // Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk; writing all but
 // .su2, and .svg. Throws Failure: io (cannot be opened, read or written), format (malformed,
 // with line number or byte offset in the sentence), unsupported (extension or
-// binary variant not known), not_quad (a face that is not a quadrilateral),
+// binary variant not known), not_quad (a face of neither three nor four corners),
 // range (a corner that is not a vertex of the file), not_finite.
 Arrays read(const std::string &path);
 // Markers are kept by .msh, which is written as MSH 2.2, and .vtk. A failed write leaves

@@ -18,13 +18,24 @@ namespace alphamst::io {
 namespace {
 
 // Element types of Gmsh's reference manual.
-constexpr std::int64_t line_type = 1, quad_type = 3, point_type = 15;
+constexpr std::int64_t line_type = 1, triangle_type = 2, quad_type = 3, point_type = 15;
 
 bool is_line(std::int64_t type) { return type == line_type || type == 8 || (type >= 26 && type <= 28); }
 
 // 0: of no interest.
 std::int64_t nodes_of(std::int64_t type) {
-    return type == line_type ? 2 : type == quad_type ? 4 : type == point_type ? 1 : 0;
+    switch (type) {
+    case line_type:
+        return 2;
+    case triangle_type:
+        return 3;
+    case quad_type:
+        return 4;
+    case point_type:
+        return 1;
+    default:
+        return 0;
+    }
 }
 
 // Node tags to vertices: tags may be sparse and in any order.
@@ -226,21 +237,21 @@ private:
             const std::int32_t v = node("a line"), w = node("a line");
             if (const std::int32_t marker = physical != 0 ? physical : entity; marker != 0)
                 mesh_.marked_edges.push_back({{v, w}, marker});
-        } else if (type == quad_type) {
-            std::int32_t quad[4];
-            for (std::int32_t &v : quad)
-                v = node(nullptr);
-            mesh_.faces.insert(mesh_.faces.end(), quad, quad + 4);
+        } else if (type == triangle_type || type == quad_type) {
+            std::int32_t face[4] = {-1, -1, -1, -1};
+            for (std::int64_t k = 0; k < nodes_of(type); ++k)
+                face[k] = node(nullptr);
+            mesh_.faces.insert(mesh_.faces.end(), face, face + 4);
             mesh_.face_marker.push_back(physical);
         } else if (type != point_type) {
-            const std::string text =
-                type == 2 ? "is a triangle" : "is of Gmsh's type " + std::to_string(type);
-            scan_.fail(Fault::not_quad, "face {} " + text + ", not a quadrilateral", Entity::face,
-                       {n_faces()});
+            scan_.fail(Fault::not_quad,
+                       "face {} is of Gmsh's type " + std::to_string(type) +
+                           ", not a triangle or quadrilateral of straight sides",
+                       Entity::face, {n_faces()});
         } else {
             scan_.integer();
         }
-        if ((type == line_type || type == quad_type) && !scan_.at_line_end())
+        if ((type == line_type || type == triangle_type || type == quad_type) && !scan_.at_line_end())
             scan_.malformed("an element has too many nodes: " + quoted(scan_.word()));
         scan_.line();
     }

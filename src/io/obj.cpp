@@ -25,17 +25,17 @@ void read_face(Scanner &scan, Arrays &mesh) {
     const auto n_vertices = static_cast<std::int64_t>(mesh.points.size() / 3);
     // Faces may come before their vertices: only the range of the type is checked here.
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-    std::int32_t quad[4] = {};
+    std::int32_t face[4] = {-1, -1, -1, -1};
     std::int64_t corners = 0;
     for (; !scan.at_line_end(); ++corners) {
         const std::int64_t v = vertex_number(scan, scan.word(), n_vertices);
         if (v < 1 || v > most)
             corner(scan, mesh, v, n_vertices, 1);
         if (corners < 4)
-            quad[corners] = static_cast<std::int32_t>(v - 1);
+            face[corners] = static_cast<std::int32_t>(v - 1);
     }
-    need_quad(scan, mesh, corners);
-    mesh.faces.insert(mesh.faces.end(), quad, quad + 4);
+    need_corners(scan, mesh, corners);
+    mesh.faces.insert(mesh.faces.end(), face, face + 4);
 }
 
 } // namespace

@@ -47,11 +47,11 @@ Arrays parse_off(std::string_view bytes) {
         scan.line();
     }
     for (std::int64_t f = 0; f < n_faces; ++f) {
-        need_quad(scan, mesh, scan.integer());
-        std::int32_t quad[4];
-        for (std::int32_t &v : quad)
-            v = corner(scan, mesh, scan.integer(), n_vertices, 0);
-        mesh.faces.insert(mesh.faces.end(), quad, quad + 4);
+        const std::size_t n = need_corners(scan, mesh, scan.integer());
+        std::int32_t face[4] = {-1, -1, -1, -1};
+        for (std::size_t k = 0; k < n; ++k)
+            face[k] = corner(scan, mesh, scan.integer(), n_vertices, 0);
+        mesh.faces.insert(mesh.faces.end(), face, face + 4);
         scan.line();
     }
     if (!scan.at_end())

@@ -204,11 +204,11 @@ void read_faces(const Scanner &scan, Values &values, const Element &element, std
                 values.skip(property);
                 continue;
             }
-            need_quad(scan, mesh, values.integer(*property.list));
-            std::int32_t quad[4];
-            for (std::int32_t &v : quad)
-                v = corner(scan, mesh, values.integer(property.type), n_vertices, 0);
-            mesh.faces.insert(mesh.faces.end(), quad, quad + 4);
+            const std::size_t n = need_corners(scan, mesh, values.integer(*property.list));
+            std::int32_t face[4] = {-1, -1, -1, -1};
+            for (std::size_t k = 0; k < n; ++k)
+                face[k] = corner(scan, mesh, values.integer(property.type), n_vertices, 0);
+            mesh.faces.insert(mesh.faces.end(), face, face + 4);
         }
 }
 

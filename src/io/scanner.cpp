@@ -157,10 +157,11 @@ std::int32_t corner(const Scanner &at, const Arrays &mesh, std::int64_t vertex, 
     return static_cast<std::int32_t>(vertex - first_number);
 }
 
-void need_quad(const Scanner &at, const Arrays &mesh, std::int64_t corners) {
-    if (corners != 4)
-        at.fail(Fault::not_quad, "face {} has " + std::to_string(corners) + " corners, not 4", Entity::face,
+std::size_t need_corners(const Scanner &at, const Arrays &mesh, std::int64_t n) {
+    if (n != 3 && n != 4)
+        at.fail(Fault::not_quad, "face {} has " + std::to_string(n) + " corners, not 3 or 4", Entity::face,
                 {static_cast<std::int64_t>(mesh.faces.size() / 4)});
+    return static_cast<std::size_t>(n);
 }
 
 Arrays finished(Arrays mesh) {

@@ -69,7 +69,7 @@ template <class Number> Number decode(const char *bytes, bool big_endian) {
 void add_vertex(const Scanner &at, Arrays &mesh, double x, double y, double z);
 std::int32_t corner(const Scanner &at, const Arrays &mesh, std::int64_t vertex, std::int64_t n_vertices,
                     std::int64_t first_number);
-void need_quad(const Scanner &at, const Arrays &mesh, std::int64_t corners);
-Arrays finished(Arrays mesh); // dim set
+std::size_t need_corners(const Scanner &at, const Arrays &mesh, std::int64_t n); // 3 or 4
+Arrays finished(Arrays mesh);                                                    // dim set
 
 } // namespace alphamst::io

@@ -113,17 +113,16 @@ private:
         Scanner &scan = section.scan;
         scan.expect(section.size, "elements", 4);
         for (std::int64_t i = 0; i < section.size; ++i) {
-            if (const std::int64_t type = scan.integer(); type != quad_cell)
-                scan.fail(
-                    Fault::not_quad,
-                    "face {} is " +
-                        (type == triangle_cell ? "a triangle" : "of VTK's type " + std::to_string(type)) +
-                        ", not a quadrilateral",
-                    Entity::face, {i});
-            std::int32_t quad[4];
-            for (std::int32_t &v : quad)
-                v = corner(scan, mesh_, same_line(scan).integer(), n_points(), 0);
-            mesh_.faces.insert(mesh_.faces.end(), quad, quad + 4);
+            const std::int64_t type = scan.integer();
+            if (type != triangle_cell && type != quad_cell)
+                scan.fail(Fault::not_quad,
+                          "face {} is of VTK's type " + std::to_string(type) +
+                              ", not a triangle or quadrilateral",
+                          Entity::face, {i});
+            std::int32_t face[4] = {-1, -1, -1, -1};
+            for (std::size_t k = 0; k < (type == triangle_cell ? 3 : 4); ++k)
+                face[k] = corner(scan, mesh_, same_line(scan).integer(), n_points(), 0);
+            mesh_.faces.insert(mesh_.faces.end(), face, face + 4);
             end_line(scan);
         }
         end_section(section, "elements");
@@ -154,10 +153,11 @@ private:
         };
         for (std::size_t f = 0; f + 3 < mesh_.faces.size(); f += 4) {
             std::int32_t *q = mesh_.faces.data() + f;
-            const double twice = (at(q[2], 0) - at(q[0], 0)) * (at(q[3], 1) - at(q[1], 1)) -
-                                 (at(q[2], 1) - at(q[0], 1)) * (at(q[3], 0) - at(q[1], 0));
+            std::int32_t &last = q[3] < 0 ? q[2] : q[3]; // of a triangle the diagonals are two sides
+            const double twice = (at(q[2], 0) - at(q[0], 0)) * (at(last, 1) - at(q[1], 1)) -
+                                 (at(q[2], 1) - at(q[0], 1)) * (at(last, 0) - at(q[1], 0));
             if (twice < 0)
-                std::swap(q[1], q[3]);
+                std::swap(q[1], last);
         }
     }
 

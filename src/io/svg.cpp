@@ -155,6 +155,35 @@ std::string outlines_path(const Picture &picture, const Drawing &drawing) {
     return text;
 }
 
+// Paul Tol's "muted" and two of his "bright": apart also for eyes that confuse red and green.
+constexpr std::array colours{"#332288", "#88ccee", "#44aa99", "#117733", "#999933", "#ddcc77",
+                             "#cc6677", "#882255", "#aa4499", "#4477aa", "#ee6677"};
+
+Pixel middle(const Drawing &drawing, const std::array<std::int32_t, 2> &edge) {
+    const Pixel a = drawing.pixels[static_cast<std::size_t>(edge[0])];
+    const Pixel b = drawing.pixels[static_cast<std::size_t>(edge[1])];
+    return {(a.x + b.x) / 2, (a.y + b.y) / 2};
+}
+
+std::string lines_path(const std::vector<Line> &lines, const Drawing &drawing, std::size_t colour) {
+    std::string text;
+    Pixel here{0, 0};
+    for (const Line &line : lines) {
+        constexpr auto n = static_cast<std::int64_t>(colours.size());
+        if (static_cast<std::size_t>((line.number % n + n) % n) != colour)
+            continue;
+        const Pixel from = middle(drawing, line.from), to = middle(drawing, line.to);
+        text += 'm';
+        append_number(text, from.x - here.x, true);
+        append_number(text, from.y - here.y, false);
+        text += 'l';
+        append_number(text, to.x - from.x, true);
+        append_number(text, to.y - from.y, false);
+        here = to;
+    }
+    return text;
+}
+
 struct Class {
     const std::vector<std::int32_t> &vertices;
     const char *colour, *name;
@@ -238,6 +267,11 @@ void write_svg(const std::string &path, const Picture &picture) {
     if (!picture.outlines.empty())
         text += "<path fill=\"none\" stroke=\"#1a7a3c\" stroke-linejoin=\"round\" stroke-width=\"" +
                 std::to_string(4 * stroke) + "\" d=\"" + outlines_path(picture, drawing) + "\"/>\n";
+    for (std::size_t colour = 0; colour < colours.size(); ++colour)
+        if (const std::string path_data = lines_path(picture.lines, drawing, colour); !path_data.empty())
+            text += "<path fill=\"none\" stroke=\"" + std::string(colours[colour]) +
+                    "\" stroke-linecap=\"round\" stroke-width=\"" + std::to_string(3 * stroke) + "\" d=\"" +
+                    path_data + "\"/>\n";
     for (const Class &entry : classes) {
         text += "<g fill=\"" + std::string(entry.colour) + "\">";
         for (std::int32_t v : entry.vertices)

@@ -1,6 +1,7 @@
 // A mesh as a picture: elements, patches and singularities.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,9 +10,16 @@
 
 namespace alphamst::io {
 
+// From the middle of one edge to that of another.
+struct Line {
+    std::array<std::int32_t, 2> from, to; // vertices
+    std::int64_t number;                  // equal ones have the same colour
+};
+
 struct Picture {
     const Arrays *mesh = nullptr;
-    std::vector<std::vector<std::int32_t>> outlines;                // closed loops of vertices
+    std::vector<std::vector<std::int32_t>> outlines; // closed loops of vertices
+    std::vector<Line> lines;
     std::vector<std::int32_t> singular3, singular5, singular_other; // vertices
 };
 

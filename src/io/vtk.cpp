@@ -367,19 +367,23 @@ private:
     void add_face(const Cells &cells, std::size_t i, std::int64_t type) {
         const std::int64_t first = cells.offsets[i], n = cells.offsets[i + 1] - first;
         if (type == triangle_cell || (type >= polygon_cell && type <= quad_cell))
-            need_quad(scan_, mesh_, type == triangle_cell ? 3 : n);
+            need_corners(scan_, mesh_, n);
         else
             scan_.fail(Fault::not_quad,
-                       "face {} is of VTK's cell type " + std::to_string(type) + ", not a quadrilateral",
+                       "face {} is of VTK's cell type " + std::to_string(type) +
+                           ", not a triangle or quadrilateral",
                        Entity::face, {n_faces()});
-        std::array<std::int32_t, 4> quad{};
+        if (const std::int64_t wanted = type == triangle_cell ? 3 : type == polygon_cell ? n : 4; n != wanted)
+            scan_.malformed("a cell of type " + std::to_string(type) + " has " + std::to_string(n) +
+                            " vertices, not " + std::to_string(wanted));
+        std::array<std::int32_t, 4> face{-1, -1, -1, -1};
         const auto n_vertices = static_cast<std::int64_t>(mesh_.points.size() / 3);
-        for (std::size_t k = 0; k < 4; ++k)
-            quad[k] =
+        for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
+            face[k] =
                 corner(scan_, mesh_, cells.connectivity[static_cast<std::size_t>(first) + k], n_vertices, 0);
         if (type == pixel_cell)
-            std::swap(quad[2], quad[3]);
-        mesh_.faces.insert(mesh_.faces.end(), quad.begin(), quad.end());
+            std::swap(face[2], face[3]);
+        mesh_.faces.insert(mesh_.faces.end(), face.begin(), face.end());
     }
 
     // Cells of a grid are as in the file; those of POLYDATA are vertices, lines and faces,

@@ -1,16 +1,21 @@
 // QuadMesh: a manifold, oriented all-quad mesh on OpenMesh's half-edge kernel, with
-// flags, markers, fields and an origin for every entity. replace_disk is the only function
-// that alters connectivity.
+// flags, markers, fields and an origin for every entity. Only replace_disk, collapse_chord and
+// split_chord alter connectivity.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "failure.h"
 #include "mesh/field.h"
+
+namespace alphamst::surface {
+class Surface;
+}
 
 namespace alphamst::mesh {
 
@@ -76,6 +81,10 @@ public:
         return found == nullptr ? nullptr : &found->values;
     }
 
+    // What the vertices keep to while they move, shared by copies; not in the checksum. Null: as
+    // surface_of, see mesh/reference.h, makes it when the first operation on a curved mesh begins.
+    std::shared_ptr<const surface::Surface> surface;
+
     // Where each vertex, edge and face was when origins were last reset; -1 if new.
     std::vector<std::int32_t> vertex_origin, edge_origin, face_origin;
     void reset_origins();
@@ -97,6 +106,28 @@ public:
     };
     Replaced replace_disk(std::span<const int> faces, std::span<const int> loop,
                           std::span<const std::array<int, 4>> quads, std::span<const OpenMesh::Vec3d> points);
+
+    // Removes a chord: merges the ends of each of its edges and glues the two rails of each of its faces
+    // to one edge. `sides` are half-edges of its edges in order, each with the next face of the chord on
+    // its left; `merged` says which vertex goes and which one stays in its place, where it is. Ids,
+    // origins and cost are as in replace_disk; a glued edge has the flags and the number of both.
+    // Throws Failure (internal) before any change if sides and vertices are no chord; whether the
+    // mesh stays a manifold is for chord::Judge to say.
+    struct Collapsed {
+        std::vector<std::array<int, 2>> glued; // edges that went, and the ones now in their place
+        std::vector<std::array<int, 2>> moved_faces, moved_edges, moved_vertices; // in this order
+    };
+    Collapsed collapse_chord(std::span<const int> sides, std::span<const std::array<int, 2>> merged);
+
+    // Cuts a chord into copies + 1 ones of equal width; faces where it crosses itself into
+    // (copies + 1)^2. What was there keeps its id, one piece of each edge and face included; new
+    // pieces have the flags, the number and the origin of what they are part of. Always a manifold;
+    // costs O(what is new). Throws Failure (internal) before any change if sides are no chord.
+    struct Cut {
+        std::vector<int> vertices; // new ones
+        std::vector<int> faces;    // all pieces
+    };
+    Cut split_chord(std::span<const int> sides, int copies);
 
     // Full test of connectivity; in the plane also of orientation (every corner
     // positive). Throws the first fault with its place.
@@ -124,6 +155,9 @@ private:
     void move_vertex(int from, int to);
     void move_edge(int from, int to);
     void move_face(int from, int to);
+    struct Block;
+    void write_block(Block &block, std::vector<int> &pieces, int &next_face);
+    void write_row(const std::vector<int> &vertices, const std::vector<int> &pieces);
     void check_sizes() const;
 
     int dim_ = 3;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/ids.h"
 #include "mesh/link.h"
 
 namespace alphamst::mesh {
@@ -202,30 +203,6 @@ void test_chords(const QuadMesh &mesh, const Disk &disk, std::span<const int> lo
             refuse("a new edge would double edge {}, which is outside the disk", Entity::edge, {edge});
     }
 }
-
-// Ids for the entities that come, of one kind: first those that go, then new ones.
-struct Ids {
-    std::vector<int> ids;
-    std::vector<std::array<int, 2>> moves; // from the end of the mesh into a gap
-    std::size_t during, after;             // number of entities
-
-    Ids(const std::vector<int> &gone, std::size_t wanted, std::size_t before)
-        : during(before + (wanted > gone.size() ? wanted - gone.size() : 0)),
-          after(before + wanted - gone.size()) {
-        const std::size_t kept = std::min(wanted, gone.size());
-        ids.assign(gone.begin(), gone.begin() + static_cast<std::ptrdiff_t>(kept));
-        for (std::size_t id = before; ids.size() < wanted; ++id)
-            ids.push_back(static_cast<int>(id));
-        // Every gap is behind every id used again, so what is new never moves.
-        std::size_t last_gap = gone.size();
-        for (std::size_t from = before, gap = kept; from > after; --from) {
-            if (last_gap > kept && at(gone[last_gap - 1]) == from - 1)
-                --last_gap;
-            else
-                moves.push_back({static_cast<int>(from - 1), gone[gap++]});
-        }
-    }
-};
 
 std::int32_t most_frequent_marker(const std::vector<std::int32_t> &markers, const std::vector<int> &faces) {
     if (markers.empty())

@@ -265,17 +265,6 @@ TEST(Adapt, PlaneInSpace) {
     }
 }
 
-TEST(Adapt, CurvedPatchIsNotSupportedYet) {
-    mesh::QuadMesh mesh = grid(10, 10, 3);
-    for (int v = 0; v < mesh.n_vertices(); ++v) {
-        const auto &p = mesh.point(v);
-        mesh.set_point(v, {p[0], p[1], 0.02 * p[0] * p[1]});
-    }
-    const auto before = mesh.checksum();
-    EXPECT_EQ(adapt_one(mesh, block(10, 2, 2, 8, 8), 2).fault, Fault::unsupported);
-    EXPECT_EQ(mesh.checksum(), before);
-}
-
 // Patches that touch and patches that do not.
 std::vector<Region> many_patches(const mesh::QuadMesh &mesh) {
     std::vector<char> taken(at(mesh.n_faces()), 0);

@@ -113,14 +113,6 @@ TEST(Smooth, UntanglesOrLeaves) { // one inverted corner: never more of them
     EXPECT_GE(quality(mesh, all_faces(mesh)), before);
 }
 
-TEST(Smooth, CurvedFacesAreNotSupportedYet) {
-    mesh::QuadMesh mesh = grid(6, 6, 3);
-    mesh.set_point(3 * 7 + 3, {3, 3, 1});
-    const auto before = mesh.checksum();
-    EXPECT_EQ(smooth(mesh, nullptr, {}, silent).at(0).fault, Fault::unsupported);
-    EXPECT_EQ(mesh.checksum(), before);
-}
-
 TEST(Smooth, CancelComesThrough) {
     mesh::QuadMesh mesh = grid(6, 6);
     shake(mesh, 1.2, 3);

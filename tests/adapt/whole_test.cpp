@@ -111,20 +111,6 @@ TEST(Whole, ClockwiseAndTiltedMeshesAreDone) {
     EXPECT_LT(3 * singular(below), singular(sample));
 }
 
-TEST(Whole, CurvedMeshesAreRefused) {
-    std::vector<double> points;
-    std::vector<std::int32_t> faces;
-    const mesh::QuadMesh sample = grid(6, 6);
-    for (int v = 0; v < sample.n_vertices(); ++v) {
-        const auto &p = sample.point(v);
-        points.insert(points.end(), {p[0], p[1], 0.1 * p[0] * p[0]});
-    }
-    for (const auto &q : sample.faces())
-        faces.insert(faces.end(), q.begin(), q.end());
-    mesh::QuadMesh mesh = mesh::QuadMesh::build(3, points, faces);
-    EXPECT_THROW(adapt_whole(mesh, 1, {}, silent), Failure);
-}
-
 TEST(Whole, CanBeCancelledAnywhere) {
     for (int stop = 0; stop < 40; stop += 3) {
         mesh::QuadMesh mesh = unstructured(12, 5);

@@ -10,6 +10,9 @@ ROWS = [
     ("get_back/dim:2", "points_ratio", "get points / memcpy, 2 coordinates", 3),
     ("get_back/dim:3", "points_ratio", "get points / memcpy, 3 coordinates", 3),
     ("get_back/dim:3", "faces_ratio", "get faces / memcpy", 3),
+    ("chord/labels", "seconds", "chord labels of 10^6 faces: s", 0.5),
+    ("chord/removal/grid", "seconds", "every chord that can go out of 10^5 faces: s", 5),
+    ("chord/removal/grid", "left", "  faces left", None),
     ("growth", "exponent", "growth of time with faces, 10^3 to 10^5", 1.1),
 ]
 for mesh in ("made", "file"):
@@ -28,6 +31,15 @@ for mesh in ("made", "file"):
         (name, "worst_ms", "  ms, worst", None),
         (name, "left", "  patches left as they were", None),
     ]
+for tools in ("chords", "templates", "both"):
+    for alpha in ("0.5", "0.25"):
+        name = f"chord/coarsen/{tools}/alpha:{alpha}/"
+        ROWS += [
+            (name, "faces", f"5,000 faces coarsened by {tools}, alpha {alpha}: faces", None),
+            (name, "singular", "  singular vertices", None),
+            (name, "scaled_jacobian", "  least scaled Jacobian", None),
+            (name, None, "  ms", None),
+        ]
 
 
 def main():

@@ -136,6 +136,11 @@ TEST_F(Allocation, InMakingHandles) {
     amst_mesh *made = nullptr;
     fail_each([&] { return create(&made); });
     amst_mesh_destroy(made);
+    const double corners[10] = {0, 0, 1, 0, 1, 1, 0, 1, 2, 1};
+    const std::int32_t triangles[9] = {0, 1, 2, 0, 2, 3, 1, 4, 2}; // one is left over
+    fail_each(
+        [&] { return amst_mesh_create(ctx, 2, corners, 5, 0, 0, triangles, 3, 0, 0, 3, nullptr, &made); });
+    amst_mesh_destroy(made);
     fail_each([&] { return amst_mesh_clone(mesh, &made); });
     amst_mesh_destroy(made);
     amst_patches *empty = nullptr;
@@ -159,6 +164,16 @@ TEST_F(Allocation, InAdding) {
     fail_each([&] { return amst_patches_add_faces(set, pair, 2, nullptr); });
     fail_each([&] { return amst_patches_add_ball(set, center, 1.2, nullptr); });
     fail_each([&] { return amst_patches_add_rings(set, 8, 1, nullptr); });
+}
+
+TEST_F(Allocation, InFeaturesCrossFieldAndSurface) {
+    const std::int32_t triangles[6] = {0, 1, 2, 1, 3, 2};
+    std::int64_t mark = 0, found = 0;
+    fail_each([&] { return amst_mesh_detect_features(mesh, 30, &found); });
+    fail_each([&] { return amst_mesh_compute_cross_field(mesh, nullptr); });
+    fail_each([&] { return amst_mesh_set_surface(mesh, points.data(), 4, triangles, 2); });
+    ASSERT_EQ(amst_mesh_mark(mesh, &mark), AMST_OK);
+    fail_each([&] { return amst_mesh_set_surface(mesh, nullptr, 0, nullptr, 0); });
 }
 
 TEST_F(Allocation, InFields) {
@@ -187,6 +202,15 @@ TEST_F(Allocation, InOperations) {
     fail_each([&] { return amst_smooth(mesh, set, nullptr, &report); });
     amst_report_destroy(report);
     fail_each([&] { return amst_clean(mesh, nullptr, nullptr); });
+    EXPECT_EQ(amst_mesh_rollback(mesh, mark), AMST_OK);
+    amst_options *options = nullptr;
+    ASSERT_EQ(amst_options_create(&options), AMST_OK);
+    ASSERT_EQ(amst_options_set_int(options, AMST_OPT_EDIT_BOUNDARY, 1), AMST_OK);
+    fail_each([&] { return amst_split_chord(mesh, 0, 2, options, nullptr); });
+    fail_each([&] { return amst_collapse_chord(mesh, 0, options, nullptr); });
+    EXPECT_EQ(amst_mesh_rollback(mesh, mark), AMST_OK);
+    fail_each([&] { return amst_insert_chords(mesh, set, 1, nullptr, nullptr); });
+    amst_options_destroy(options);
     fail_each([&] { return amst_adapt(mesh, set, 2, nullptr, &report); });
     amst_report_destroy(report);
     EXPECT_EQ(amst_mesh_check(mesh), AMST_OK);

@@ -124,6 +124,53 @@ static void pictures(void **state) {
     amst_context_destroy(ctx);
 }
 
+/* Two squares in two regions, each cut in two; the edge between them has a number, and so has a diagonal. */
+static const char triangles[] = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                                "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n"
+                                "$Elements\n6\n1 1 2 7 7 2 5\n2 1 2 8 8 %c 5\n"
+                                "3 2 2 11 11 1 2 5\n4 2 2 11 11 1 5 4\n"
+                                "5 2 2 12 12 2 3 6\n6 2 2 12 12 2 6 5\n$EndElements\n";
+
+static void triangles_become_quads(void **state) {
+    (void)state;
+    const char *const path = "capi_triangles.msh";
+    amst_context *ctx = new_context(1);
+    char text[sizeof triangles];
+    for (int marked = 0; marked < 2; ++marked) {
+        amst_mesh *mesh = NULL, *back = NULL;
+        amst_id edges[3];
+        /* 2 5 is numbered in any case, 1 5 is the diagonal of the first square */
+        snprintf(text, sizeof text, triangles, marked ? '1' : '2');
+        write_text(path, text);
+        must(amst_mesh_read(ctx, path, NULL, &mesh));
+        /* The diagonal must stay, so both triangles leave by the boundary. */
+        assert_int_equal(count_of(mesh, AMST_FACE), marked ? 3 : 2);
+        assert_int_equal(count_of(mesh, AMST_VERTEX), marked ? 8 : 6);
+        const amst_id pairs[6] = {2, 5, 1, 5, 2, 6};
+        must(amst_mesh_find_edges(mesh, pairs, 3, edges));
+        assert_true(edges[0] > 0);
+        assert_int_equal(edges[1] > 0, marked);
+        assert_int_equal(edges[2], 0);
+        must(amst_mesh_write(mesh, path)); /* the markers come back */
+        must(amst_mesh_read(ctx, path, NULL, &back));
+        assert_true(checksum(back) == checksum(mesh));
+        amst_mesh_destroy(back);
+        amst_mesh_destroy(mesh);
+    }
+    amst_options *options = NULL;
+    amst_mesh *mesh = NULL;
+    must(amst_options_create(&options));
+    must(amst_options_set_int(options, AMST_OPT_QUADRANGULATE, 1));
+    write_text(path, text);
+    must(amst_mesh_read(ctx, path, options, &mesh));
+    assert_int_equal(count_of(mesh, AMST_FACE), 12);
+    must(amst_mesh_check(mesh));
+    amst_mesh_destroy(mesh);
+    amst_options_destroy(options);
+    assert_int_equal(remove(path), 0);
+    amst_context_destroy(ctx);
+}
+
 static void what_is_no_mesh_is_refused(void **state) {
     (void)state;
     static const struct {
@@ -133,7 +180,7 @@ static void what_is_no_mesh_is_refused(void **state) {
         {"capi_bad.off", "", AMST_ERR_FORMAT},
         {"capi_bad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n", AMST_ERR_FORMAT},
         {"capi_bad.off", "OFF\n100000000000 1 0\n0 0 0\n", AMST_ERR_FORMAT},
-        {"capi_bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n", AMST_ERR_NOT_QUAD},
+        {"capi_bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n2 0 1\n", AMST_ERR_NOT_QUAD},
         {"capi_bad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 4\n", AMST_ERR_RANGE},
         {"capi_bad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 nan 0\n0 1 0\n4 0 1 2 3\n", AMST_ERR_NOT_FINITE},
         {"capi_bad.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n", AMST_ERR_RANGE},
@@ -143,7 +190,7 @@ static void what_is_no_mesh_is_refused(void **state) {
         {"capi_bad.msh", "$MeshFormat\n2.2 0 8\n", AMST_ERR_FORMAT},
         {"capi_bad.msh", "$NOD\n1\n1 0 0 0\n", AMST_ERR_FORMAT},
         {"capi_bad.su2", "NDIME= 2\n", AMST_ERR_FORMAT},
-        {"capi_bad.su2", "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1 0\n0 1\nNMARK= 0\n",
+        {"capi_bad.su2", "NDIME= 2\nNELEM= 1\n10 0 1 2 0\nNPOIN= 3\n0 0\n1 0\n0 1\nNMARK= 0\n",
          AMST_ERR_NOT_QUAD},
         {"capi_bad.stl", "solid\n", AMST_ERR_UNSUPPORTED},
         {"capi_bad", "OFF\n", AMST_ERR_UNSUPPORTED},
@@ -179,11 +226,9 @@ static void paths_that_lead_nowhere(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(there_and_back),
-        cmocka_unit_test(markers_are_features_and_come_back),
-        cmocka_unit_test(one_mesh_in_two_formats),
-        cmocka_unit_test(pictures),
-        cmocka_unit_test(what_is_no_mesh_is_refused),
+        cmocka_unit_test(there_and_back),          cmocka_unit_test(markers_are_features_and_come_back),
+        cmocka_unit_test(one_mesh_in_two_formats), cmocka_unit_test(pictures),
+        cmocka_unit_test(triangles_become_quads),  cmocka_unit_test(what_is_no_mesh_is_refused),
         cmocka_unit_test(paths_that_lead_nowhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

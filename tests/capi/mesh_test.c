@@ -180,7 +180,7 @@ static void shapes_of_arrays_are_checked(void **state) {
     refused(AMST_ERR_ARGUMENT, create(ctx, 1, points, n_vertices, faces, n_faces, &mesh));
     refused(AMST_ERR_ARGUMENT, create(ctx, 4, points, n_vertices, faces, n_faces, &mesh));
     refused(AMST_ERR_ARGUMENT,
-            amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, faces, n_faces, 0, 0, 3, NULL, &mesh));
+            amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, faces, n_faces, 0, 0, 2, NULL, &mesh));
     refused(AMST_ERR_RANGE, create(ctx, 2, points, -1, faces, n_faces, &mesh));
     refused(AMST_ERR_RANGE, create(ctx, 2, points, n_vertices, faces, -1, &mesh));
     refused(AMST_ERR_RANGE, create(ctx, 2, points, n_vertices, faces, 0, &mesh));
@@ -203,6 +203,68 @@ static void shapes_of_arrays_are_checked(void **state) {
     free(points);
     free(faces);
     amst_context_destroy(ctx);
+}
+
+/* The faces of the grid cut along a diagonal, in every layout and numbering. */
+static void triangles_become_quads(void **state) {
+    (void)state;
+    double *points = grid_points(nx, ny);
+    for (int32_t base = 0; base < 2; ++base) {
+        amst_context *ctx = new_context(base);
+        amst_mesh *grid = new_grid(ctx, base, nx, ny), *mesh = NULL;
+        int32_t *faces = grid_faces(nx, ny, base);
+        int32_t three[6 * n_faces], four[8 * n_faces];
+        int64_t by_corner[6 * n_faces];
+        for (int f = 0; f < n_faces; ++f)
+            for (int t = 0; t < 2; ++t)
+                for (int k = 0; k < 4; ++k) {
+                    const int32_t v = k == 3 ? base - 1 : faces[4 * f + (k == 0 ? 0 : k + t)];
+                    four[8 * f + 4 * t + k] = v;
+                    if (k < 3) {
+                        three[6 * f + 3 * t + k] = v;
+                        by_corner[k * 2 * n_faces + 2 * f + t] = v;
+                    }
+                }
+        must(amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, three, 2 * n_faces, 0, 0, 3, NULL, &mesh));
+        assert_int_equal(count_of(mesh, AMST_FACE), n_faces);
+        assert_int_equal(count_of(mesh, AMST_VERTEX), n_vertices);
+        double *kept = points_of(mesh);
+        assert_memory_equal(kept, points, 2 * n_vertices * sizeof(double));
+        free(kept);
+        must(amst_mesh_check(mesh));
+        const int64_t digest = checksum(mesh);
+        amst_mesh_destroy(mesh);
+        must(amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, four, 2 * n_faces, 0, 0, 4, NULL, &mesh));
+        assert_true(checksum(mesh) == digest);
+        amst_mesh_destroy(mesh);
+        must(amst_mesh_create_i64(ctx, 2, points, n_vertices, 0, 0, by_corner, 2 * n_faces, 1, 2 * n_faces, 3,
+                                  NULL, &mesh));
+        assert_true(checksum(mesh) == digest);
+        amst_mesh_destroy(mesh);
+
+        /* One left over: a vertex on the boundary more. */
+        must(
+            amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, three, 2 * n_faces - 1, 0, 0, 3, NULL, &mesh));
+        assert_int_equal(count_of(mesh, AMST_FACE), n_faces);
+        assert_int_equal(count_of(mesh, AMST_VERTEX), n_vertices + 1);
+        amst_mesh_destroy(mesh);
+
+        /* "none" is for the last of four corners only */
+        mesh = NULL;
+        four[2] = base - 1;
+        refused(AMST_ERR_RANGE,
+                amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, four, 2 * n_faces, 0, 0, 4, NULL, &mesh));
+        assert_error_names(AMST_FACE, base);
+        three[3] = three[4];
+        refused(AMST_ERR_NOT_QUAD,
+                amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, three, 2 * n_faces, 0, 0, 3, NULL, &mesh));
+        assert_error_names(AMST_FACE, base + 1);
+        assert_null(mesh);
+        amst_mesh_destroy(grid);
+        amst_context_destroy(ctx);
+        free(faces);
+    }
+    free(points);
 }
 
 static void what_is_no_surface_is_refused(void **state) {
@@ -297,6 +359,7 @@ int main(void) {
         cmocka_unit_test(corners_of_64_bits_must_fit),
         cmocka_unit_test(base_1_has_no_vertex_0),
         cmocka_unit_test(shapes_of_arrays_are_checked),
+        cmocka_unit_test(triangles_become_quads),
         cmocka_unit_test(what_is_no_surface_is_refused),
         cmocka_unit_test(new_points_keep_the_rest),
         cmocka_unit_test(a_clone_goes_its_own_way),

@@ -75,6 +75,7 @@ static void meshes(void **state) {
     amst_mesh *out = NULL;
     int32_t narrow;
     int64_t n;
+    double degrees;
     amst_summary summary;
     null("ctx", amst_mesh_create(NULL, 2, points, 4, 0, 0, face, 1, 0, 0, 4, options, &out));
     null("coords", amst_mesh_create(ctx, 2, NULL, 4, 0, 0, face, 1, 0, 0, 4, options, &out));
@@ -107,6 +108,12 @@ static void meshes(void **state) {
     null("mesh", amst_mesh_get_checksum(NULL, &n));
     null("digest", amst_mesh_get_checksum(mesh, NULL));
     null("mesh", amst_mesh_set_flags(NULL, AMST_FACE, NULL, 0, 1, 1));
+    null("mesh", amst_mesh_detect_features(NULL, 30, &n));
+    null("mesh", amst_mesh_compute_cross_field(NULL, NULL));
+    null("mesh", amst_mesh_get_alignment(NULL, &degrees));
+    null("mean_degrees", amst_mesh_get_alignment(mesh, NULL));
+    null("mesh", amst_mesh_set_surface(NULL, NULL, 0, NULL, 0));
+    null("triangles", amst_mesh_set_surface(mesh, points, 4, NULL, 1));
     null("mesh", amst_mesh_set_field(NULL, AMST_VERTEX, "a", 1, AMST_CARRY_DROP, points, 49));
     null("name", amst_mesh_set_field(mesh, AMST_VERTEX, NULL, 1, AMST_CARRY_DROP, points, 49));
     null("values", amst_mesh_set_field(mesh, AMST_VERTEX, "a", 1, AMST_CARRY_DROP, NULL, 49));
@@ -201,6 +208,10 @@ static void operations_and_reports(void **state) {
     null("mesh", amst_reduce_singularities(NULL, set, options, NULL));
     null("mesh", amst_smooth(NULL, set, options, NULL));
     null("mesh", amst_clean(NULL, options, NULL));
+    null("mesh", amst_collapse_chord(NULL, 0, options, NULL));
+    null("mesh", amst_split_chord(NULL, 0, 1, options, NULL));
+    null("mesh", amst_insert_chords(NULL, set, 1, options, NULL));
+    null("patches", amst_insert_chords(mesh, NULL, 1, options, NULL));
     null("report", amst_report_get_int(NULL, AMST_ALL, AMST_RESULT_STATUS, &integer));
     null("value", amst_report_get_int(report, AMST_ALL, AMST_RESULT_STATUS, NULL));
     null("report", amst_report_get_real(NULL, AMST_ALL, AMST_RESULT_ALPHA, &real));

@@ -14,6 +14,7 @@ static const integer_option integers[] = {
     {AMST_OPT_REPAIR_PATCHES, 1, 0, 1},
     {AMST_OPT_CANDIDATES, 16, 1, 1000},
     {AMST_OPT_NODE_LIMIT, 1000, 0, INT64_C(1000000000)},
+    {AMST_OPT_QUADRANGULATE, 0, 0, 1},
 };
 
 typedef struct real_option {

@@ -67,6 +67,8 @@ static void every_failing_call(void **state) {
     unchanged(AMST_ERR_RANGE, amst_mesh_set_flags(w.mesh, AMST_FACE, far_faces, 2, 1, 1));
     unchanged(AMST_ERR_RANGE, amst_mesh_set_flags(w.mesh, AMST_VERTEX, NULL, 0, 64, 64));
     unchanged(AMST_ERR_ARGUMENT, amst_mesh_set_flags(w.mesh, 9, NULL, 0, 1, 1));
+    unchanged(AMST_ERR_RANGE, amst_mesh_detect_features(w.mesh, 181, NULL));
+    unchanged(AMST_ERR_RANGE, amst_mesh_set_surface(w.mesh, nowhere, 1, far_vertices, 1));
     unchanged(AMST_ERR_NOT_FOUND, amst_mesh_rollback(w.mesh, number + 5));
     unchanged(AMST_ERR_NOT_FOUND, amst_mesh_forget(w.mesh, number + 5));
 
@@ -92,6 +94,8 @@ static void every_failing_call(void **state) {
     unchanged(AMST_ERR_CANCELLED, amst_reduce_singularities(w.mesh, w.set, NULL, &report));
     unchanged(AMST_ERR_CANCELLED, amst_smooth(w.mesh, w.set, NULL, &report));
     unchanged(AMST_ERR_CANCELLED, amst_clean(w.mesh, NULL, &report));
+    unchanged(AMST_ERR_CANCELLED, amst_collapse_chord(w.mesh, 0, NULL, &report));
+    unchanged(AMST_ERR_CANCELLED, amst_split_chord(w.mesh, 0, 1, NULL, &report));
     must(amst_context_set_cancel(w.ctx, 0));
 
     must(amst_mesh_rollback(w.mesh, w.mark)); /* still there */

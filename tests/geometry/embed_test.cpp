@@ -242,7 +242,11 @@ TEST(Embed, StopsWhenGoodEnough) {
 
 TEST(EmbedOnCircle, EveryFaceIsConvexAndEveryFreeVertexIsAMean) {
     const Disk d = disk(surround(grid(4, 3), 2));
-    const Points points = embed_on_circle(d.quads, d.boundary, d.vertices, star(d.boundary, 0.4));
+    const Points loop = star(d.boundary, 0.4);
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        lengths.push_back((loop[(i + 1) % loop.size()] - loop[i]).norm());
+    const Points points = embed_on_circle(d.quads, d.boundary, d.vertices, lengths);
     EXPECT_TRUE(judge(d.quads, points).valid);
     std::vector<Vector2d> sum(points.size(), Vector2d::Zero());
     std::vector<int> count(points.size(), 0);

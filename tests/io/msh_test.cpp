@@ -86,7 +86,7 @@ TEST(Msh, ReadsVersion1) {
 
 TEST(Msh, RejectsOtherElementsOfVersion1) {
     for (const char *line :
-         {"2 2 0 1 3 10 3 900\n", "2 10 0 1 9 1 2 3 4 5 6 7 8 9\n", "2 5 0 1 8 1 2 3 4 5 6 7 8\n"}) {
+         {"2 9 0 1 6 10 3 900 4 1 2\n", "2 10 0 1 9 1 2 3 4 5 6 7 8 9\n", "2 5 0 1 8 1 2 3 4 5 6 7 8\n"}) {
         const Failure failure =
             failure_of([&] { parse_msh(one("1 3 0 1 4 10 3 900 4\n" + std::string(line), 2)); });
         EXPECT_EQ(failure.fault, Fault::not_quad) << line;
@@ -156,9 +156,19 @@ TEST(Msh, MarkersRoundTrip) {
     EXPECT_TRUE(parse_msh(print_msh(mesh)).face_marker.empty());
 }
 
+TEST(Msh, ReadsTriangles) {
+    const Arrays mesh = parse_msh(elements("1 3 2 7 1 10 3 900 4\n2 2 2 8 1 10 3 900\n", 2));
+    EXPECT_EQ(mesh.faces.size(), 8U);
+    EXPECT_EQ(mesh.faces.back(), -1);
+    EXPECT_TRUE(std::equal(mesh.faces.begin(), mesh.faces.begin() + 3, mesh.faces.begin() + 4));
+    EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{7, 8}));
+    EXPECT_EQ(parse_msh(one("1 2 9 1 3 10 3 900\n", 1)).faces.back(), -1);
+    EXPECT_EQ(failure_of([] { parse_msh(elements("1 2 2 8 1 10 3 900 4\n", 1)); }).fault, Fault::format);
+}
+
 TEST(Msh, RejectsOtherElements) {
     for (const char *line :
-         {"2 2 2 0 1 10 3 900\n", "2 10 2 0 1 1 2 3 4 5 6 7 8 9\n", "2 5 0 1 2 3 4 5 6 7 8\n"}) {
+         {"2 9 2 0 1 10 3 900 4 1 2\n", "2 10 2 0 1 1 2 3 4 5 6 7 8 9\n", "2 5 0 1 2 3 4 5 6 7 8\n"}) {
         const Failure failure =
             failure_of([&] { parse_msh(elements("1 3 2 0 1 10 3 900 4\n" + std::string(line), 2)); });
         EXPECT_EQ(failure.fault, Fault::not_quad) << line;

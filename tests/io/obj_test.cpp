@@ -35,8 +35,13 @@ TEST(Obj, KeepsWhatOthersDrop) {
     EXPECT_EQ(mesh.points.size(), 15u); // and a vertex without a face
 }
 
+TEST(Obj, ReadsTriangles) {
+    EXPECT_EQ(parse_obj(corners + "f 1 2 3 4\nf 1/1 2/2 3/3\n").faces,
+              (std::vector<std::int32_t>{0, 1, 2, 3, 0, 1, 2, -1}));
+}
+
 TEST(Obj, RejectsOtherFaces) {
-    for (const char *face : {"f 1 2 3", "f 1 2", "f", "f 1 2 3 4 1"}) {
+    for (const char *face : {"f 1 2", "f", "f 1 2 3 4 1"}) {
         const Failure failure = failure_of([&] { parse_obj(corners + "f 1 2 3 4\n" + face); });
         EXPECT_EQ(failure.fault, Fault::not_quad) << face;
         EXPECT_EQ(failure.ids, std::vector<std::int64_t>{1}) << face;

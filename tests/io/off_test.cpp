@@ -28,12 +28,18 @@ TEST(Off, ReadsCommentsColoursAndOddHeaders) {
     EXPECT_EQ(parse_off("OFF\n0 0 0\n").points.size(), 0u);
 }
 
-TEST(Off, NamesTheFaceThatIsNoQuad) {
-    const Failure failure = failure_of([] { parse_off("OFF\n4 2 0\n" + corners + "4 0 1 2 3\n3 0 1 2\n"); });
+TEST(Off, ReadsTriangles) {
+    EXPECT_EQ(parse_off("OFF\n4 2 0\n" + corners + "4 0 1 2 3\n3 0 1 2 255 0 0\n").faces,
+              (std::vector<std::int32_t>{0, 1, 2, 3, 0, 1, 2, -1}));
+}
+
+TEST(Off, NamesTheFaceOfOtherCorners) {
+    const Failure failure =
+        failure_of([] { parse_off("OFF\n4 2 0\n" + corners + "4 0 1 2 3\n5 0 1 2 3 0\n"); });
     EXPECT_EQ(failure.fault, Fault::not_quad);
     EXPECT_EQ(failure.entity, Entity::face);
     EXPECT_EQ(failure.ids, std::vector<std::int64_t>{1});
-    EXPECT_STREQ(failure.what(), "line 8: face {} has 3 corners, not 4");
+    EXPECT_STREQ(failure.what(), "line 8: face {} has 5 corners, not 3 or 4");
 }
 
 TEST(Off, NamesCornersOutOfRange) {

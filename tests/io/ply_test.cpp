@@ -69,8 +69,14 @@ TEST(Ply, ReadsFacesBeforeVerticesAndOtherElements) {
     EXPECT_EQ(mesh.dim, 2);
 }
 
+TEST(Ply, ReadsTriangles) {
+    EXPECT_EQ(parse_ply(binary(true, 3)).faces, (std::vector<std::int32_t>{0, 1, 2, -1}));
+    EXPECT_EQ(parse_ply(header("ascii") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n").faces,
+              (std::vector<std::int32_t>{0, 1, 2, -1}));
+}
+
 TEST(Ply, RejectsOtherFaces) {
-    Failure failure = failure_of([] { parse_ply(binary(true, 3)); });
+    Failure failure = failure_of([] { parse_ply(binary(true, 5)); });
     EXPECT_EQ(failure.fault, Fault::not_quad);
     EXPECT_EQ(failure.ids, std::vector<std::int64_t>{0});
     EXPECT_EQ(std::string(failure.what()).substr(0, 5), "byte ");

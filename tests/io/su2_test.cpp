@@ -95,8 +95,15 @@ TEST(Su2, ReadsPointsInSpace) {
     EXPECT_EQ(failure_of([&] { parse_su2(head + rest); }).fault, Fault::format); // 0.5 is no index
 }
 
-TEST(Su2, NamesTheElementThatIsNoQuad) {
-    for (const char *line : {"5 1 2 5 1", "3 1 2", "12 0 1 2 3 4 5 0 1", "1 0", "-9 1 2 5 4"}) {
+TEST(Su2, ReadsTriangles) {
+    for (const char *line : {"5 1 2 5 1", "5 1 5 2 1", "5 1 2 5"}) // the second is clockwise
+        EXPECT_EQ(parse_su2(replaced(two, "9 1 2 5 4 1", line)).faces,
+                  (std::vector<std::int32_t>{0, 1, 4, 3, 1, 2, 5, -1}))
+            << line;
+}
+
+TEST(Su2, NamesTheElementThatIsNoFace) {
+    for (const char *line : {"3 1 2", "12 0 1 2 3 4 5 0 1", "1 0", "-9 1 2 5 4"}) {
         const Failure failure = failure_of([&] { parse_su2(replaced(two, "9 1 2 5 4 1", line)); });
         EXPECT_EQ(failure.fault, Fault::not_quad) << line;
         EXPECT_EQ(failure.entity, Entity::face) << line;

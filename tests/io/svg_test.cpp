@@ -40,7 +40,7 @@ TEST(Svg, DrawsTheMesh) {
     mesh.dim = 2;
     mesh.points = {0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0};
     mesh.faces = {0, 1, 2, 3};
-    Picture drawn{&mesh, {{0, 1, 2, 3}}, {1}, {}, {2, 3}};
+    Picture drawn{&mesh, {{0, 1, 2, 3}}, {}, {1}, {}, {2, 3}};
     write_svg(folder / "m.svg", drawn);
     const std::string text = samples::contents(folder / "m.svg");
     // y points up: vertex 0 is at the bottom left, 5000 units below the top.
@@ -56,6 +56,24 @@ TEST(Svg, DrawsTheMesh) {
     const std::size_t paper =
         text.find("<rect x=\"-250\" y=\"-250\" width=\"10500\" height=\"6000\" fill=\"#fff\"/>");
     EXPECT_LT(paper, text.find("<path"));
+}
+
+TEST(Svg, DrawsLinesBetweenEdgesInTheColourOfTheirNumber) {
+    const samples::Folder folder;
+    Arrays mesh;
+    mesh.dim = 2;
+    mesh.points = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0};
+    mesh.faces = {0, 1, 4, 3, 1, 2, 5, 4};
+    Picture drawn = picture(mesh);
+    write_svg(folder / "a.svg", drawn);
+    const std::size_t without = count(samples::contents(folder / "a.svg"), "<path");
+    drawn.lines = {{{0, 3}, {1, 4}, 7}, {{1, 4}, {2, 5}, 7}, {{0, 1}, {3, 4}, -1}};
+    write_svg(folder / "a.svg", drawn);
+    const std::string text = samples::contents(folder / "a.svg");
+    EXPECT_EQ(count(text, "<path"), without + 2);
+    EXPECT_EQ(count(text, "stroke-linecap"), 2u);
+    // From the left side at half height to the middle edge, and on from there.
+    EXPECT_NE(text.find("d=\"m0 2500l5000 0m0 0l5000 0\""), std::string::npos) << text;
 }
 
 TEST(Svg, DrawsAnyMesh) {

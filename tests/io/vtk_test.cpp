@@ -193,17 +193,32 @@ TEST(Vtk, RejectsMarkersThatDoNotFit) {
     EXPECT_EQ(failure_of([&] { parse_vtk(outside); }).fault, Fault::range);
 }
 
+TEST(Vtk, ReadsTriangles) {
+    const std::vector<std::int32_t> faces{0, 1, 2, 3, 0, 1, 2, -1};
+    for (const char *type : {"5", "7"})
+        EXPECT_EQ(parse_vtk(head("ASCII", "UNSTRUCTURED_GRID") + points +
+                            "CELLS 2 9\n4 0 1 2 3\n3 0 1 2\nCELL_TYPES 2\n9 " + type + "\n")
+                      .faces,
+                  faces);
+    EXPECT_EQ(parse_vtk(head("ASCII", "POLYDATA") + points + "POLYGONS 2 9\n4 0 1 2 3\n3 0 1 2\n").faces,
+              faces);
+    // A quad of three corners, a triangle of four
+    for (const char *cells :
+         {"CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n9\n", "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n5\n"})
+        EXPECT_EQ(failure_of([&] { parse_vtk(head("ASCII", "UNSTRUCTURED_GRID") + points + cells); }).fault,
+                  Fault::format)
+            << cells;
+}
+
 TEST(Vtk, RejectsOtherCells) {
     const std::string grid = head("ASCII", "UNSTRUCTURED_GRID") + points;
-    for (const char *cells : {"CELLS 2 9\n4 0 1 2 3\n3 0 1 2\nCELL_TYPES 2\n9 5\n",
-                              "CELLS 2 9\n4 0 1 2 3\n3 0 1 2\nCELL_TYPES 2\n9 7\n",
+    for (const char *cells : {"CELLS 2 11\n4 0 1 2 3\n5 0 1 2 3 1\nCELL_TYPES 2\n9 7\n",
                               "CELLS 2 10\n4 0 1 2 3\n4 0 1 2 3\nCELL_TYPES 2\n9 10\n"}) {
         const Failure failure = failure_of([&] { parse_vtk(grid + cells); });
         EXPECT_EQ(failure.fault, Fault::not_quad) << cells;
         EXPECT_EQ(failure.ids, std::vector<std::int64_t>{1}) << cells;
     }
     const std::string polygons = head("ASCII", "POLYDATA") + points;
-    EXPECT_EQ(failure_of([&] { parse_vtk(polygons + "POLYGONS 1 4\n3 0 1 2\n"); }).fault, Fault::not_quad);
     EXPECT_EQ(failure_of([&] { parse_vtk(polygons + "TRIANGLE_STRIPS 1 4\n3 0 1 2\n"); }).fault,
               Fault::not_quad);
     EXPECT_EQ(failure_of([&] { parse_vtk(polygons + "POLYGONS 1 5\n4 0 1 2 6\n"); }).fault, Fault::range);

@@ -6,13 +6,16 @@
 module alphamst_mesh
     use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
-    use amst_c, only: amst_mesh_check, amst_mesh_clone, amst_mesh_create, amst_mesh_create_i64, &
-        amst_mesh_destroy, amst_mesh_find_edges, amst_mesh_forget, amst_mesh_get_checksum, &
+    use amst_c, only: amst_mesh_check, amst_mesh_clone, amst_mesh_compute_cross_field, amst_mesh_create, &
+        amst_mesh_create_i64, &
+        amst_mesh_destroy, amst_mesh_detect_features, amst_mesh_find_edges, amst_mesh_forget, &
+        amst_mesh_get_alignment, amst_mesh_get_checksum, amst_mesh_get_chord, amst_mesh_get_chord_ids, amst_mesh_get_chords, &
         amst_mesh_get_count, amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
         amst_mesh_get_faces, amst_mesh_get_field, amst_mesh_get_flags, amst_mesh_get_points, amst_mesh_get_quality, &
         amst_mesh_get_revision, amst_mesh_get_singularities, amst_mesh_get_summary, &
         amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_remove_field, &
-        amst_mesh_rollback, amst_mesh_set_field, amst_mesh_set_flags, amst_mesh_set_points, amst_mesh_write, amst_summary
+        amst_mesh_rollback, amst_mesh_set_field, amst_mesh_set_flags, amst_mesh_set_points, amst_mesh_set_surface, &
+        amst_mesh_write, amst_summary
     use alphamst_arrays, only: check_rows, deliver, fetch_reals_of, fetch_row, fetch_row_of, fetch_rows, &
         fill_reals_of, fill_row, fill_row_of, fill_rows
     use alphamst_context, only: amst_context
@@ -30,7 +33,9 @@ module alphamst_mesh
     type, extends(amst_handle), public :: amst_mesh
     contains
         !> create(context, points(dim, :), faces(4, :) [, options]): faces of kind int32 or int64, corners
-        !> counter-clockwise, dim 2 or 3. An array section is copied first, see create_strided.
+        !> counter-clockwise, dim 2 or 3. faces(3, :) are triangles, and so are those of four corners whose
+        !> last is 0: they become quads as the option AMST_OPT_QUADRANGULATE says, 0 in pairs, 1 split. All
+        !> given vertices keep their ids. An array section is copied first, see create_strided.
         !> Errors: ARGUMENT (extents), RANGE (corner, count), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD.
         generic :: create => create_int32, create_int64
         !> create_strided(context, dim, points, n_vertices, vertex_stride, component_stride, faces,
@@ -79,6 +84,15 @@ module alphamst_mesh
         !> singularities(:): interior vertices of valence other than 4, ascending;
         !> get_singularities(values [, n])
         procedure :: singularities, get_singularities
+        !> chord(edge [, closed, crossings]): edges crossed by the chord through edge, in order; logical
+        !> closed, and the faces it passes twice, kind int64. Errors: RANGE.
+        procedure :: chord
+        !> chord_ids([n_chords]): number of the chord of each edge. As an edge field 'chord' they are drawn
+        !> in colour by write.
+        procedure :: chord_ids
+        !> chords(property [, options]): an AMST_CHORD_ property of each chord, kind int64; of the options
+        !> AMST_OPT_EDIT_BOUNDARY counts. Errors: ARGUMENT.
+        procedure :: chords
 
         !> set_flags(entity, ids(:), mask, value): the AMST_FLAG_* bits of mask become those of value;
         !> without ids for all entities. Errors: ARGUMENT (entity), RANGE (id, bits).
@@ -86,18 +100,41 @@ module alphamst_mesh
         !> flags(entity): the AMST_FLAG_* bits of each; get_flags(entity, values [, n]).
         !> Errors: ARGUMENT (entity).
         procedure :: flags, get_flags
+        !> detect_features(angle [, found]): edges whose two faces have normals more than angle degrees
+        !> apart, 0 to 180, become AMST_FLAG_FEATURE, and vertices where curves of such edges, these and
+        !> those of before, end, cross or turn by more than 60 degrees AMST_FLAG_CORNER. No flag is taken
+        !> away; found, kind int64, is the number of those edges. Errors: NOT_FINITE, RANGE.
+        procedure :: detect_features
 
         !> set_field(entity, name, values(:), carry), or values(components, :): named numbers of each entity;
         !> a field of that name there is replaced. Operations keep the values of what they keep; an
         !> AMST_CARRY_* gives new entities theirs. The library reads 'size' (AMST_VERTEX, one number above
-        !> 0): the wanted edge length. Errors: ARGUMENT (entity, name empty, carry not for this entity),
-        !> RANGE (extents, a size not above 0), NOT_FINITE.
+        !> 0): the wanted edge length; and 'cross' (AMST_FACE, three numbers), see compute_cross_field.
+        !> Errors: ARGUMENT (entity, name empty, name or carry not for this entity), RANGE (extents, a size
+        !> not above 0), NOT_FINITE.
         generic :: set_field => set_field_of_one, set_field_of_several
         !> field(entity, name): values(components, :); get_field(entity, name, values(components, :) [, n]).
         !> Errors: ARGUMENT (entity, name empty), NOT_FOUND.
         procedure :: field, get_field
         !> remove_field(entity, name). Errors: ARGUMENT (entity, name empty), NOT_FOUND.
         procedure :: remove_field
+        !> compute_cross_field([options]): a new field 'cross' of AMST_FACE, a direction of length 1 that
+        !> edges shall have there, or one at right angles to it. Along the boundary, features and borders
+        !> of markers it is that of the edges, elsewhere a principal direction, the more the curvatures in
+        !> them differ; and between that it is as smooth as can be. New faces inherit it. Of the options
+        !> AMST_OPT_SMOOTH_STEPS counts.
+        procedure :: compute_cross_field
+        !> alignment(): mean angle, 0 to 45 degrees, between the sides of faces and the nearest of the four
+        !> directions of 'cross': 0 where edges follow it, 22.5 where they do not know of it. Errors:
+        !> NOT_FOUND.
+        procedure :: alignment
+
+        !> set_surface(points(dim, :), triangles(3, :)): the surface that operations project the vertices to
+        !> that they move or add; corners are numbers of these points from 1. set_surface(): the mesh as it
+        !> is now. Until then it is the mesh as it is when the first operation on it begins. It is part of
+        !> the mesh as fields are. Errors: ARGUMENT (first extents), RANGE (no triangle, a corner that is
+        !> no point), NOT_FINITE.
+        generic :: set_surface => set_surface_to, set_surface_to_mesh
 
         !> mark(revision): remember points, connectivity, flags and fields under this name.
         procedure :: mark
@@ -113,7 +150,7 @@ module alphamst_mesh
         procedure :: summary => get_summary
 
         procedure, private :: create_int32, create_int64, set_flags_of, set_flags_of_all, assign, &
-            set_field_of_one, set_field_of_several, components_of
+            set_field_of_one, set_field_of_several, components_of, set_surface_to, set_surface_to_mesh
         generic :: assignment(=) => assign
         final :: finalize
     end type amst_mesh
@@ -487,6 +524,63 @@ contains
         call fill_row(amst_mesh_get_singularities, self%c_handle(), values, n, stat, errmsg)
     end subroutine get_singularities
 
+    function chord(self, edge, closed, crossings, stat, errmsg) result(edges)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: edge
+        logical, intent(out), optional :: closed
+        integer(int64), intent(out), optional :: crossings
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: edges(:)
+        integer(int64) :: needed, twice
+        integer(int32) :: cyclic, status
+
+        needed = 0
+        cyclic = 0
+        twice = 0
+        status = amst_mesh_get_chord(self%c_handle(), edge, capacity=0_int64, needed=needed)
+        allocate (edges(needed))
+        if (status >= 0) status = amst_mesh_get_chord(self%c_handle(), edge, cyclic, twice, edges, needed, needed)
+        if (present(closed)) closed = cyclic /= 0
+        if (present(crossings)) crossings = twice
+        call settle(status, stat, errmsg)
+    end function chord
+
+    function chord_ids(self, n_chords, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int64), intent(inout), optional :: n_chords
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:)
+        integer(int64) :: needed
+        integer(int32) :: status
+
+        needed = 0
+        status = amst_mesh_get_chord_ids(self%c_handle(), capacity=0_int64, needed=needed)
+        allocate (values(needed))
+        if (status >= 0) status = amst_mesh_get_chord_ids(self%c_handle(), n_chords, values, needed, needed)
+        call settle(status, stat, errmsg)
+    end function chord_ids
+
+    function chords(self, property, options, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: property
+        type(amst_options), intent(in), optional :: options
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int64), allocatable :: values(:)
+        integer(int64) :: needed
+        integer(int32) :: status
+
+        needed = 0
+        status = amst_mesh_get_chords(self%c_handle(), property, handle_of_options(options), capacity=0_int64, &
+            needed=needed)
+        allocate (values(needed))
+        if (status >= 0) status = amst_mesh_get_chords(self%c_handle(), property, handle_of_options(options), &
+            values, needed, needed)
+        call settle(status, stat, errmsg)
+    end function chords
+
     subroutine set_flags_of_all(self, entity, mask, value, stat, errmsg)
         class(amst_mesh), intent(inout) :: self
         integer(int32), intent(in) :: entity, mask, value
@@ -534,6 +628,16 @@ contains
 
         call fill_row_of(amst_mesh_get_flags, self%c_handle(), entity, values, n, stat, errmsg)
     end subroutine get_flags
+
+    subroutine detect_features(self, angle, found, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        real(real64), intent(in) :: angle
+        integer(int64), intent(inout), optional :: found
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_detect_features(self%c_handle(), angle, found), stat, errmsg)
+    end subroutine detect_features
 
     subroutine set_field_of_one(self, entity, name, values, carry, stat, errmsg)
         class(amst_mesh), intent(inout) :: self
@@ -622,6 +726,60 @@ contains
 
         call settle(amst_mesh_remove_field(self%c_handle(), entity, to_c(name)), stat, errmsg)
     end subroutine remove_field
+
+    subroutine compute_cross_field(self, options, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        type(amst_options), intent(in), optional :: options
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_compute_cross_field(self%c_handle(), handle_of_options(options)), stat, errmsg)
+    end subroutine compute_cross_field
+
+    function alignment(self, stat, errmsg) result(mean_degrees)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        real(real64) :: mean_degrees
+
+        mean_degrees = 0
+        call settle(amst_mesh_get_alignment(self%c_handle(), mean_degrees), stat, errmsg)
+    end function alignment
+
+    ! No points are passed on as such: the address of an empty array may be NULL, which would mean the mesh.
+    subroutine set_surface_to(self, points, triangles, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        real(real64), intent(in), contiguous :: points(:, :)
+        integer(int32), intent(in), contiguous :: triangles(:, :)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        real(real64), parameter :: no_points(1) = 0
+        integer(int32) :: dim, status
+
+        dim = 0
+        status = amst_mesh_get_dim(self%c_handle(), dim)
+        if (status < 0) then
+            call settle(status, stat, errmsg)
+            return
+        end if
+        if (.not. check_rows(size(points, 1, int32), dim, stat, errmsg)) return
+        if (.not. check_rows(size(triangles, 1, int32), 3_int32, stat, errmsg)) return
+        if (size(points) == 0) then
+            status = amst_mesh_set_surface(self%c_handle(), no_points, 0_int64, triangles, size(triangles, 2, int64))
+        else
+            status = amst_mesh_set_surface(self%c_handle(), points, size(points, 2, int64), triangles, &
+                size(triangles, 2, int64))
+        end if
+        call settle(status, stat, errmsg)
+    end subroutine set_surface_to
+
+    subroutine set_surface_to_mesh(self, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_set_surface(self%c_handle(), n_points=0_int64, n_triangles=0_int64), stat, errmsg)
+    end subroutine set_surface_to_mesh
 
     function quality(self, metric, stat, errmsg) result(values)
         class(amst_mesh), intent(in) :: self

@@ -4,7 +4,8 @@
 module alphamst_operations
     use, intrinsic :: iso_c_binding, only: c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, real64
-    use amst_c, only: AMST_ERR_NULL, AMST_OK, amst_adapt, amst_clean, amst_reduce_singularities, amst_smooth
+    use amst_c, only: AMST_ERR_NULL, AMST_OK, amst_adapt, amst_clean, amst_collapse_chord, &
+        amst_insert_chords, amst_reduce_singularities, amst_smooth, amst_split_chord
     use alphamst_library, only: settle
     use alphamst_mesh, only: amst_mesh
     use alphamst_options, only: amst_options, handle_of_options
@@ -14,6 +15,7 @@ module alphamst_operations
     private
 
     public :: alphamst_adapt, alphamst_reduce_singularities, alphamst_smooth, alphamst_clean
+    public :: alphamst_collapse_chord, alphamst_split_chord, alphamst_insert_chords
 
 contains
 
@@ -94,6 +96,58 @@ contains
         status = amst_clean(mesh%c_handle(), handle_of_options(options), told)
         call finish(status, told, report, stat, errmsg)
     end subroutine alphamst_clean
+
+    !> Remove the chord through edge: the two ends of each of its edges become one vertex. Errors: RANGE
+    !> (edge), CHORD (the reason is in errmsg), GEOMETRY.
+    subroutine alphamst_collapse_chord(mesh, edge, options, report, stat, errmsg)
+        type(amst_mesh), intent(inout) :: mesh
+        integer(int32), intent(in) :: edge
+        type(amst_options), intent(in), optional :: options
+        type(amst_report), intent(inout), optional :: report
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr), allocatable :: told
+        integer(int32) :: status
+
+        call ask(told, report)
+        status = amst_collapse_chord(mesh%c_handle(), edge, handle_of_options(options), told)
+        call finish(status, told, report, stat, errmsg)
+    end subroutine alphamst_collapse_chord
+
+    !> Cut the chord through edge into n + 1 parallel ones; no vertex becomes singular. A chord that ends on
+    !> the boundary needs the option AMST_OPT_EDIT_BOUNDARY. Errors: RANGE (edge, n), CHORD, GEOMETRY.
+    subroutine alphamst_split_chord(mesh, edge, n, options, report, stat, errmsg)
+        type(amst_mesh), intent(inout) :: mesh
+        integer(int32), intent(in) :: edge, n
+        type(amst_options), intent(in), optional :: options
+        type(amst_report), intent(inout), optional :: report
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr), allocatable :: told
+        integer(int32) :: status
+
+        call ask(told, report)
+        status = amst_split_chord(mesh%c_handle(), edge, n, handle_of_options(options), told)
+        call finish(status, told, report, stat, errmsg)
+    end subroutine alphamst_split_chord
+
+    !> Lay n rings of faces between the boundary of each patch, which needs 3 to 6 corners or none, and its
+    !> faces. Errors: NULL (patches), RANGE (n).
+    subroutine alphamst_insert_chords(mesh, patches, n, options, report, stat, errmsg)
+        type(amst_mesh), intent(inout) :: mesh
+        type(amst_patches), intent(inout) :: patches
+        integer(int32), intent(in) :: n
+        type(amst_options), intent(in), optional :: options
+        type(amst_report), intent(inout), optional :: report
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        type(c_ptr), allocatable :: told
+        integer(int32) :: status
+
+        call ask(told, report)
+        status = amst_insert_chords(mesh%c_handle(), patches%c_handle(), n, handle_of_options(options), told)
+        call finish(status, told, report, stat, errmsg)
+    end subroutine alphamst_insert_chords
 
     !> The handle of the patches; NULL, which means the whole mesh, only where there are none.
     subroutine choose(set, patches, stat, errmsg, status)

@@ -26,6 +26,7 @@ module amst_c
     integer(c_int32_t), parameter :: AMST_ERR_PATCH = -8
     integer(c_int32_t), parameter :: AMST_ERR_NO_FILLING = -17
     integer(c_int32_t), parameter :: AMST_ERR_GEOMETRY = -18
+    integer(c_int32_t), parameter :: AMST_ERR_CHORD = -19
     integer(c_int32_t), parameter :: AMST_ERR_NOT_MANIFOLD = -7
     integer(c_int32_t), parameter :: AMST_ERR_NOT_QUAD = -6
     integer(c_int32_t), parameter :: AMST_ERR_NOT_FINITE = -5
@@ -72,6 +73,30 @@ module amst_c
     integer(c_int32_t), parameter :: AMST_DEFECT_NOT_CONVEX = 256
     integer(c_int32_t), parameter :: AMST_DEFECT_MAX = 2147483647
 
+    ! amst_chord_property
+    integer(c_int32_t), parameter :: AMST_CHORD_INVALID = -1
+    integer(c_int32_t), parameter :: AMST_CHORD_EDGE = 0
+    integer(c_int32_t), parameter :: AMST_CHORD_CLOSED = 1
+    integer(c_int32_t), parameter :: AMST_CHORD_LENGTH = 2
+    integer(c_int32_t), parameter :: AMST_CHORD_FACES = 3
+    integer(c_int32_t), parameter :: AMST_CHORD_CROSSINGS = 4
+    integer(c_int32_t), parameter :: AMST_CHORD_TOUCHES = 5
+    integer(c_int32_t), parameter :: AMST_CHORD_SINGULARITIES = 6
+    integer(c_int32_t), parameter :: AMST_CHORD_REFUSAL = 7
+    integer(c_int32_t), parameter :: AMST_CHORD_SINGULAR_AFTER = 8
+    integer(c_int32_t), parameter :: AMST_CHORD_MAX = 2147483647
+
+    ! amst_refusal
+    integer(c_int32_t), parameter :: AMST_REFUSAL_INVALID = -1
+    integer(c_int32_t), parameter :: AMST_REFUSAL_CROSSING = 1
+    integer(c_int32_t), parameter :: AMST_REFUSAL_CLOSED = 2
+    integer(c_int32_t), parameter :: AMST_REFUSAL_BOUNDARY = 4
+    integer(c_int32_t), parameter :: AMST_REFUSAL_FIXED = 8
+    integer(c_int32_t), parameter :: AMST_REFUSAL_FEATURE = 16
+    integer(c_int32_t), parameter :: AMST_REFUSAL_VALENCE = 32
+    integer(c_int32_t), parameter :: AMST_REFUSAL_DOUBLE = 64
+    integer(c_int32_t), parameter :: AMST_REFUSAL_MAX = 2147483647
+
     ! amst_decomposition
     integer(c_int32_t), parameter :: AMST_DECOMPOSE_INVALID = -1
     integer(c_int32_t), parameter :: AMST_DECOMPOSE_CLUSTERS = 0
@@ -112,6 +137,9 @@ module amst_c
     integer(c_int32_t), parameter :: AMST_OPT_REPAIR_PATCHES = 2
     integer(c_int32_t), parameter :: AMST_OPT_CANDIDATES = 3
     integer(c_int32_t), parameter :: AMST_OPT_NODE_LIMIT = 4
+    integer(c_int32_t), parameter :: AMST_OPT_QUADRANGULATE = 5
+    integer(c_int32_t), parameter :: AMST_OPT_EDIT_BOUNDARY = 6
+    integer(c_int32_t), parameter :: AMST_OPT_STRATEGY = 7
     integer(c_int32_t), parameter :: AMST_OPT_MIN_QUALITY = 1000
     integer(c_int32_t), parameter :: AMST_OPT_MIN_CONVEXITY = 1001
     integer(c_int32_t), parameter :: AMST_OPT_PATCH_FACES = 1002
@@ -501,6 +529,14 @@ module amst_c
             integer(c_int64_t), intent(inout) :: needed
         end function amst_mesh_get_flags
 
+        integer(c_int32_t) function amst_mesh_detect_features(mesh, angle, found) bind(c)
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            real(c_double), value :: angle
+            integer(c_int64_t), intent(inout), optional :: found
+        end function amst_mesh_detect_features
+
         ! fields
 
         integer(c_int32_t) function amst_mesh_set_field(mesh, entity, name, components, carry, values, n) bind(c)
@@ -532,6 +568,31 @@ module amst_c
             integer(c_int32_t), value :: entity
             character(kind=c_char), intent(in) :: name(*)
         end function amst_mesh_remove_field
+
+        integer(c_int32_t) function amst_mesh_compute_cross_field(mesh, options) bind(c)
+            import :: c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh, options
+        end function amst_mesh_compute_cross_field
+
+        integer(c_int32_t) function amst_mesh_get_alignment(mesh, mean_degrees) bind(c)
+            import :: c_double, c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            real(c_double), intent(inout) :: mean_degrees
+        end function amst_mesh_get_alignment
+
+        ! surface
+
+        integer(c_int32_t) function amst_mesh_set_surface(mesh, points, n_points, triangles, n_triangles) bind(c)
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            real(c_double), intent(in), optional :: points(*)
+            integer(c_int64_t), value :: n_points
+            integer(c_int32_t), intent(in), optional :: triangles(*)
+            integer(c_int64_t), value :: n_triangles
+        end function amst_mesh_set_surface
 
         ! undoing
 
@@ -725,6 +786,64 @@ module amst_c
             type(c_ptr), value :: mesh, options
             type(c_ptr), intent(inout), optional :: report
         end function amst_clean
+
+        ! chords
+
+        integer(c_int32_t) function amst_mesh_get_chord(mesh, edge, closed, crossings, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: edge
+            integer(c_int32_t), intent(inout), optional :: closed
+            integer(c_int64_t), intent(inout), optional :: crossings
+            integer(c_int32_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_chord
+
+        integer(c_int32_t) function amst_mesh_get_chord_ids(mesh, n_chords, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int64_t), intent(inout), optional :: n_chords
+            integer(c_int32_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_chord_ids
+
+        integer(c_int32_t) function amst_mesh_get_chords(mesh, property, options, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh, options
+            integer(c_int32_t), value :: property
+            integer(c_int64_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_chords
+
+        integer(c_int32_t) function amst_collapse_chord(mesh, edge, options, report) bind(c)
+            import :: c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh, options
+            integer(c_int32_t), value :: edge
+            type(c_ptr), intent(inout), optional :: report
+        end function amst_collapse_chord
+
+        integer(c_int32_t) function amst_split_chord(mesh, edge, n, options, report) bind(c)
+            import :: c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh, options
+            integer(c_int32_t), value :: edge, n
+            type(c_ptr), intent(inout), optional :: report
+        end function amst_split_chord
+
+        integer(c_int32_t) function amst_insert_chords(mesh, patches, n, options, report) bind(c)
+            import :: c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh, patches, options
+            integer(c_int32_t), value :: n
+            type(c_ptr), intent(inout), optional :: report
+        end function amst_insert_chords
 
         ! quality
 

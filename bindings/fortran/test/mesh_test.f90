@@ -8,6 +8,7 @@ program mesh_test
 
     call context%create()
     call layouts_agree()
+    call triangles_become_quads()
     call bad_input_is_refused()
     call queries_differ()
     call arrays_of_the_caller()
@@ -15,6 +16,7 @@ program mesh_test
     call points_may_change()
     call a_cube_is_all_singular()
     call flags_are_kept()
+    call features_are_flagged()
     call metrics_have_their_values()
     call savepoints_nest()
     call files_come_back()
@@ -54,6 +56,23 @@ contains
         call claim(mesh%checksum() == digest, 'padded points, packed faces of 64 bits')
     end subroutine layouts_agree
 
+    subroutine triangles_become_quads()
+        type(amst_options) :: options
+        type(amst_mesh) :: mesh
+
+        call mesh%create(context, grid_points(1, 1), reshape([1, 2, 4, 1, 4, 3], [3, 2]))
+        call claim(mesh%count(AMST_FACE) == 1, 'two triangles are a quad')
+        call claim(mesh%count(AMST_VERTEX) == 4, 'of their vertices')
+        call mesh%create(context, grid_points(1, 1), reshape([1_int64, 2_int64, 4_int64, 0_int64, &
+            1_int64, 4_int64, 3_int64, 0_int64], [4, 2]))
+        call claim(mesh%count(AMST_FACE) == 1, 'triangles as four corners')
+        call options%create()
+        call options%set(AMST_OPT_QUADRANGULATE, 1)
+        call mesh%create(context, grid_points(1, 1), reshape([1, 2, 4, 1, 4, 3], [3, 2]), options)
+        call claim(mesh%count(AMST_FACE) == 6, 'split triangles')
+        call claim(mesh%count(AMST_VERTEX) == 11, 'vertices of split triangles')
+    end subroutine triangles_become_quads
+
     subroutine bad_input_is_refused()
         type(amst_mesh) :: mesh
         real(real64) :: points(2, 4)
@@ -74,8 +93,8 @@ contains
         call refused(stat, AMST_ERR_RANGE, errmsg, 'corner 2^32 + 3')
         call mesh%create(context, points, reshape([1, 2, 4, 1], [4, 1]), stat=stat, errmsg=errmsg)
         call refused(stat, AMST_ERR_NOT_QUAD, errmsg, 'a corner twice')
-        call mesh%create(context, points, reshape([1, 2, 4], [3, 1]), stat=stat, errmsg=errmsg)
-        call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'triangles')
+        call mesh%create(context, points, reshape([1, 2], [2, 1]), stat=stat, errmsg=errmsg)
+        call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'two corners')
         call mesh%create(context, points(1:1, :), reshape([1, 2, 4, 3], [4, 1]), stat=stat, errmsg=errmsg)
         call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'one coordinate')
         call mesh%create(context, points, reshape([integer(int32) ::], [4, 0]), stat=stat, errmsg=errmsg)
@@ -279,6 +298,38 @@ contains
         call claim(size(mesh%flags(9, stat, errmsg)) == 0, 'flags of no entity')
         call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'entity 9')
     end subroutine flags_are_kept
+
+    ! Folded upwards by 45 degrees from the third column of vertices on.
+    subroutine features_are_flagged()
+        type(amst_mesh) :: mesh
+        real(real64) :: points(3, 20)
+        integer(int32) :: stat, e
+        integer(int64) :: found
+        character(len=200) :: errmsg
+
+        points(:2, :) = grid_points(4, 3)
+        points(3, :) = max(points(1, :) - 2, 0.0_real64)
+        call mesh%create(context, points, grid_faces(4, 3))
+        found = -1
+        call mesh%detect_features(46.0_real64, found)
+        call claim(found == 0, 'no edge at more than 46 degrees')
+        call claim(all(mesh%flags(AMST_EDGE) == 0), 'so none is flagged')
+        call mesh%detect_features(44.0_real64)
+        call mesh%detect_features(44.0_real64, found)
+        call claim(found == 3, 'three edges at more than 44 degrees')
+        associate (flags => mesh%flags(AMST_EDGE), edges => mesh%edges())
+            do e = 1, 31
+                call claim((flags(e) == AMST_FLAG_FEATURE) .eqv. all(mod(edges(:, e), 5) == 3), 'those of the fold')
+            end do
+        end associate
+        associate (flags => mesh%flags(AMST_VERTEX))
+            call claim(count(flags /= 0) == 2 .and. all(flags([3, 18]) == AMST_FLAG_CORNER), 'ends of the fold')
+        end associate
+        call mesh%detect_features(181.0_real64, found, stat, errmsg)
+        call refused(stat, AMST_ERR_RANGE, errmsg, '181 degrees')
+        call mesh%detect_features(ieee_value(0.0_real64, ieee_quiet_nan), stat=stat, errmsg=errmsg)
+        call refused(stat, AMST_ERR_NOT_FINITE, errmsg, 'an angle that is no number')
+    end subroutine features_are_flagged
 
     subroutine metrics_have_their_values()
         type(amst_mesh) :: mesh

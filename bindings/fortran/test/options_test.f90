@@ -20,6 +20,7 @@ contains
         call claim(options%get_int(AMST_OPT_REPAIR_PATCHES) == 1, 'repair')
         call claim(options%get_int(AMST_OPT_CANDIDATES) == 16, 'candidates')
         call claim(options%get_int(AMST_OPT_NODE_LIMIT) == 1000, 'node limit')
+        call claim(options%get_int(AMST_OPT_QUADRANGULATE) == 0, 'quadrangulate')
         call claim(abs(options%get_real(AMST_OPT_MIN_QUALITY)) <= 0, 'quality')
         call claim(abs(options%get_real(AMST_OPT_MIN_CONVEXITY) - 0.6_real64) <= 0, 'convexity')
         call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 100) <= 0, 'patch faces')

@@ -39,23 +39,29 @@ include("options.jl")
 include("context.jl")
 include("mesh.jl")
 include("field.jl")
+include("cross_field.jl")
+include("surface.jl")
 include("quality.jl")
 include("patches.jl")
 include("report.jl")
 include("operations.jl")
+include("chord.jl")
 
 export AlphaMSTError, Context, Mesh, Options, Patches, Report
 export library_version, library_has, status_name
 export progress, set_cancel!, set_log!, set_progress!, set_threads!
-export check, checksum, dim, edge_faces, edge_faces!, edges, edges!, faces, faces!, find_edges, flags,
+export check, checksum, detect_features!, dim, edge_faces, edge_faces!, edges, edges!, faces, faces!, find_edges, flags,
     flags!, nedges, nfaces, nvertices, points, points!, revision, set_flags!, set_points!,
     singularities, valences, valences!
 export field, field!, remove_field!, set_field!
+export alignment, compute_cross_field!
+export set_surface!
 export forget!, mark!, rollback!
 export quality, quality!, quality_summary
 export add_ball!, add_box!, add_faces!, add_rings!, boundary, corners, decompose!, predict, set_alpha!,
     set_corners!
 export is_partial, origin, origin!, valence_count
 export adapt!, clean!, reduce_singularities!, smooth!
+export chord, chord_ids, chords, collapse_chord!, insert_chords!, split_chord!
 
 end

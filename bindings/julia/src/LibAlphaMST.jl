@@ -47,6 +47,7 @@ const AMST_ERR_STALE = Int32(-9)
 const AMST_ERR_PATCH = Int32(-8)
 const AMST_ERR_NO_FILLING = Int32(-17)
 const AMST_ERR_GEOMETRY = Int32(-18)
+const AMST_ERR_CHORD = Int32(-19)
 const AMST_ERR_NOT_MANIFOLD = Int32(-7)
 const AMST_ERR_NOT_QUAD = Int32(-6)
 const AMST_ERR_NOT_FINITE = Int32(-5)
@@ -93,6 +94,30 @@ const AMST_DEFECT_CORNERS = Int32(128)
 const AMST_DEFECT_NOT_CONVEX = Int32(256)
 const AMST_DEFECT_MAX = Int32(0x7fffffff)
 
+# amst_chord_property
+const AMST_CHORD_INVALID = Int32(-1)
+const AMST_CHORD_EDGE = Int32(0)
+const AMST_CHORD_CLOSED = Int32(1)
+const AMST_CHORD_LENGTH = Int32(2)
+const AMST_CHORD_FACES = Int32(3)
+const AMST_CHORD_CROSSINGS = Int32(4)
+const AMST_CHORD_TOUCHES = Int32(5)
+const AMST_CHORD_SINGULARITIES = Int32(6)
+const AMST_CHORD_REFUSAL = Int32(7)
+const AMST_CHORD_SINGULAR_AFTER = Int32(8)
+const AMST_CHORD_MAX = Int32(0x7fffffff)
+
+# amst_refusal
+const AMST_REFUSAL_INVALID = Int32(-1)
+const AMST_REFUSAL_CROSSING = Int32(1)
+const AMST_REFUSAL_CLOSED = Int32(2)
+const AMST_REFUSAL_BOUNDARY = Int32(4)
+const AMST_REFUSAL_FIXED = Int32(8)
+const AMST_REFUSAL_FEATURE = Int32(16)
+const AMST_REFUSAL_VALENCE = Int32(32)
+const AMST_REFUSAL_DOUBLE = Int32(64)
+const AMST_REFUSAL_MAX = Int32(0x7fffffff)
+
 # amst_decomposition
 const AMST_DECOMPOSE_INVALID = Int32(-1)
 const AMST_DECOMPOSE_CLUSTERS = Int32(0)
@@ -133,6 +158,9 @@ const AMST_OPT_SMOOTH_STEPS = Int32(1)
 const AMST_OPT_REPAIR_PATCHES = Int32(2)
 const AMST_OPT_CANDIDATES = Int32(3)
 const AMST_OPT_NODE_LIMIT = Int32(4)
+const AMST_OPT_QUADRANGULATE = Int32(5)
+const AMST_OPT_EDIT_BOUNDARY = Int32(6)
+const AMST_OPT_STRATEGY = Int32(7)
 const AMST_OPT_MIN_QUALITY = Int32(1000)
 const AMST_OPT_MIN_CONVEXITY = Int32(1001)
 const AMST_OPT_PATCH_FACES = Int32(1002)
@@ -232,9 +260,13 @@ end
     amst_mesh_get_checksum(mesh, digest) = @ccall amst_mesh_get_checksum(mesh::Ptr{amst_mesh}, digest::Ptr{Int64})::Int32
     amst_mesh_set_flags(mesh, entity, ids, n, mask, value) = @ccall amst_mesh_set_flags(mesh::Ptr{amst_mesh}, entity::Int32, ids::Ptr{Int32}, n::Int64, mask::Int32, value::Int32)::Int32
     amst_mesh_get_flags(mesh, entity, out, capacity, needed) = @ccall amst_mesh_get_flags(mesh::Ptr{amst_mesh}, entity::Int32, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_detect_features(mesh, angle, found) = @ccall amst_mesh_detect_features(mesh::Ptr{amst_mesh}, angle::Float64, found::Ptr{Int64})::Int32
     amst_mesh_set_field(mesh, entity, name, components, carry, values, n) = @ccall amst_mesh_set_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, components::Int32, carry::Int32, values::Ptr{Float64}, n::Int64)::Int32
     amst_mesh_get_field(mesh, entity, name, out, capacity, needed) = @ccall amst_mesh_get_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, out::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_remove_field(mesh, entity, name) = @ccall amst_mesh_remove_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring)::Int32
+    amst_mesh_compute_cross_field(mesh, options) = @ccall amst_mesh_compute_cross_field(mesh::Ptr{amst_mesh}, options::Ptr{amst_options})::Int32
+    amst_mesh_get_alignment(mesh, mean_degrees) = @ccall amst_mesh_get_alignment(mesh::Ptr{amst_mesh}, mean_degrees::Ptr{Float64})::Int32
+    amst_mesh_set_surface(mesh, points, n_points, triangles, n_triangles) = @ccall amst_mesh_set_surface(mesh::Ptr{amst_mesh}, points::Ptr{Float64}, n_points::Int64, triangles::Ptr{Int32}, n_triangles::Int64)::Int32
     amst_mesh_mark(mesh, revision) = @ccall amst_mesh_mark(mesh::Ptr{amst_mesh}, revision::Ptr{Int64})::Int32
     amst_mesh_rollback(mesh, revision) = @ccall amst_mesh_rollback(mesh::Ptr{amst_mesh}, revision::Int64)::Int32
     amst_mesh_forget(mesh, revision) = @ccall amst_mesh_forget(mesh::Ptr{amst_mesh}, revision::Int64)::Int32
@@ -258,6 +290,12 @@ end
     amst_reduce_singularities(mesh, patches, options, report) = @ccall amst_reduce_singularities(mesh::Ptr{amst_mesh}, patches::Ptr{amst_patches}, options::Ptr{amst_options}, report::Ptr{Ptr{amst_report}})::Int32
     amst_smooth(mesh, patches, options, report) = @ccall amst_smooth(mesh::Ptr{amst_mesh}, patches::Ptr{amst_patches}, options::Ptr{amst_options}, report::Ptr{Ptr{amst_report}})::Int32
     amst_clean(mesh, options, report) = @ccall amst_clean(mesh::Ptr{amst_mesh}, options::Ptr{amst_options}, report::Ptr{Ptr{amst_report}})::Int32
+    amst_mesh_get_chord(mesh, edge, closed, crossings, out, capacity, needed) = @ccall amst_mesh_get_chord(mesh::Ptr{amst_mesh}, edge::Int32, closed::Ptr{Int32}, crossings::Ptr{Int64}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_chord_ids(mesh, n_chords, out, capacity, needed) = @ccall amst_mesh_get_chord_ids(mesh::Ptr{amst_mesh}, n_chords::Ptr{Int64}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_chords(mesh, property, options, out, capacity, needed) = @ccall amst_mesh_get_chords(mesh::Ptr{amst_mesh}, property::Int32, options::Ptr{amst_options}, out::Ptr{Int64}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_collapse_chord(mesh, edge, options, report) = @ccall amst_collapse_chord(mesh::Ptr{amst_mesh}, edge::Int32, options::Ptr{amst_options}, report::Ptr{Ptr{amst_report}})::Int32
+    amst_split_chord(mesh, edge, n, options, report) = @ccall amst_split_chord(mesh::Ptr{amst_mesh}, edge::Int32, n::Int32, options::Ptr{amst_options}, report::Ptr{Ptr{amst_report}})::Int32
+    amst_insert_chords(mesh, patches, n, options, report) = @ccall amst_insert_chords(mesh::Ptr{amst_mesh}, patches::Ptr{amst_patches}, n::Int32, options::Ptr{amst_options}, report::Ptr{Ptr{amst_report}})::Int32
     amst_mesh_get_quality(mesh, metric, out, capacity, needed) = @ccall amst_mesh_get_quality(mesh::Ptr{amst_mesh}, metric::Int32, out::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_get_summary(mesh, metric, out) = @ccall amst_mesh_get_summary(mesh::Ptr{amst_mesh}, metric::Int32, out::Ptr{amst_summary})::Int32
     amst_report_destroy(report) = @ccall amst_report_destroy(report::Ptr{amst_report})::Cvoid

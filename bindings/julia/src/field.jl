@@ -16,9 +16,9 @@ An operation keeps the values of what it keeps. New entities get theirs by `carr
 * `:linear`, for vertices: interpolated
 * `:conserve`, for faces: averaged by area, so that the sum of value times area stays
 
-The library reads `"size"`, one number above 0 at each vertex: the wanted edge length. Throws
-`AlphaMSTError`: ARGUMENT (entity, name, carry not for this entity), RANGE (number of values, a
-size not above 0), NOT_FINITE.
+The library reads `"size"`, one number above 0 at each vertex: the wanted edge length; and `"cross"`, three
+at each face, see [`compute_cross_field!`](@ref). Throws `AlphaMSTError`: ARGUMENT (entity, name, carry not
+for this entity), RANGE (number of values, a size not above 0), NOT_FINITE.
 """
 set_field!(mesh::Mesh, entity, name::AbstractString, values::AbstractVector{<:Real}; carry) =
     set_field!(mesh, entity, name, reshape(values, 1, :); carry = carry)

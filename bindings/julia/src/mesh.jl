@@ -13,8 +13,9 @@ const FLAGS = (fixed = AMST_FLAG_FIXED, feature = AMST_FLAG_FEATURE, corner = AM
 
 A mesh of quadrilaterals from arrays or from a file.
 
-`points` is (dim, n) with dim 2 or 3. `faces` is (4, m), corners counter-clockwise, at least one
-face. Strided matrices (also views and `PermutedDimsArray`s) of `Float64` and of `Int32` or `Int64`
+`points` is (dim, n) with dim 2 or 3. `faces` is (4, m) or (3, m), corners counter-clockwise, at
+least one face; 0 as the last of four corners makes a triangle. Triangles are merged in pairs, or
+split with `quadrangulate = 1`; all given vertices keep their ids. Strided matrices (also views and `PermutedDimsArray`s) of `Float64` and of `Int32` or `Int64`
 are read where they lie; other ones are converted first. Nothing is kept of them.
 
 The format of a file is told by its extension: `.off`, `.obj`, `.ply`, `.msh` (Gmsh 1, 2.2 and
@@ -302,6 +303,17 @@ function set_flags!(mesh::Mesh, entity, ids, mask::Integer, value::Integer)
     demand(amst_mesh_set_flags(mesh, number_of(entities, entity), given, length(given), mask, value))
     return mesh
 end
+
+"""
+    detect_features!(mesh, angle)
+
+Flag the edges whose two faces have normals more than `angle` degrees apart, 0 to 180, as `feature`,
+and as `corner` the vertices where curves of feature edges, these and those of before, end, cross or
+turn by more than 60 degrees. No flag is taken away. Gives the number of edges at more than `angle`.
+Throws `AlphaMSTError`: NOT_FINITE, RANGE.
+"""
+detect_features!(mesh::Mesh, angle::Real) =
+    Int(scalar(out -> amst_mesh_detect_features(mesh, angle, out), Int64))
 
 # ------------------------------------------------------------------------ undoing
 

@@ -2,7 +2,9 @@
 
 const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
                      repair_patches = AMST_OPT_REPAIR_PATCHES, candidates = AMST_OPT_CANDIDATES,
-                     node_limit = AMST_OPT_NODE_LIMIT, min_quality = AMST_OPT_MIN_QUALITY,
+                     node_limit = AMST_OPT_NODE_LIMIT, quadrangulate = AMST_OPT_QUADRANGULATE,
+                     edit_boundary = AMST_OPT_EDIT_BOUNDARY,
+                     strategy = AMST_OPT_STRATEGY, min_quality = AMST_OPT_MIN_QUALITY,
                      min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES)
 
 # The header's rule for the keys of options and of reports.
@@ -21,6 +23,9 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `repair_patches` | 1 | 0 or 1: fill holes and cut pinches of new patches |
 | `candidates` | 16 | fillings to try in a patch before it is left, 1 to 1000 |
 | `node_limit` | 1000 | effort of one exact search, in quads laid, 0 to 10^9 |
+| `quadrangulate` | 0 | 0: triangles of a new mesh are paired, 1: every face is split |
+| `edit_boundary` | 0 | 0 or 1: chords that end on the boundary may be changed |
+| `strategy` | 0 | 0: a whole mesh is adapted by windows, 1: by chords alone |
 | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
 | `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
 | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |

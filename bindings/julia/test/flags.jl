@@ -27,3 +27,18 @@ end
     @test refusal(() -> set_flags!(mesh, :face, :, 8, 8)) == "AMST_ERR_RANGE"
     @test checksum(mesh) == before
 end
+
+@testset "features" begin
+    flat = grid_points(4, 3)
+    fold = [flat; max.(flat[1:1, :] .- 2, 0)] # upwards by 45 degrees from the third column on
+    mesh = Mesh(fold, grid_faces(4, 3))
+    @test detect_features!(mesh, 46) == 0
+    @test all(iszero, flags(mesh, :edge))
+    @test detect_features!(mesh, 44) == 3
+    at_fold = [all(==(2), flat[1, pair]) for pair in eachcol(edges(mesh))]
+    @test flags(mesh, :edge) == FLAGS.feature .* at_fold
+    @test findall(!iszero, flags(mesh, :vertex)) == [3, 18]
+    @test all(==(FLAGS.corner), flags(mesh, :vertex)[[3, 18]])
+    @test refusal(() -> detect_features!(mesh, 181)) == "AMST_ERR_RANGE"
+    @test refusal(() -> detect_features!(mesh, NaN)) == "AMST_ERR_NOT_FINITE"
+end

@@ -62,10 +62,21 @@ end
     @test points(mesh) == grid_points(3, 3)[2:-1:1, :]
 end
 
+@testset "triangles" begin
+    xy, corners = grid_points(2, 1), grid_faces(2, 1)
+    triangles = hcat(corners[1:3, :], corners[[1, 3, 4], :])
+    mesh = Mesh(xy, triangles)
+    @test nfaces(mesh) == 2 && points(mesh) == xy
+    mixed = hcat(corners[:, 1], [corners[1:3, 2]; 0], [corners[[1, 3, 4], 2]; 0])
+    @test nfaces(Mesh(xy, mixed)) == 2
+    split = Mesh(xy, triangles; quadrangulate = 1)
+    @test nfaces(split) == 12 && nvertices(split) == 6 + 9 + 4
+end
+
 @testset "refused arrays" begin
     xy, corners = grid_points(2, 2), grid_faces(2, 2)
     @test refusal(() -> Mesh(xy[1:1, :], corners)) == "AMST_ERR_ARGUMENT"
-    @test refusal(() -> Mesh(xy, corners[1:3, :])) == "AMST_ERR_ARGUMENT"
+    @test refusal(() -> Mesh(xy, corners[1:2, :])) == "AMST_ERR_ARGUMENT"
     @test refusal(() -> Mesh(xy, corners .- Int32(1))) == "AMST_ERR_RANGE" # 0 is no vertex
     @test refusal(() -> Mesh(xy, corners .+ 2^33)) == "AMST_ERR_RANGE"
     @test refusal(() -> Mesh(xy .* NaN, corners)) == "AMST_ERR_NOT_FINITE"

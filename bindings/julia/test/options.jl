@@ -5,6 +5,7 @@
     @test options[:repair_patches] == 1
     @test options[:candidates] == 16
     @test options[:node_limit] == 1000
+    @test options[:quadrangulate] == 0
     @test options[:min_quality] === 0.0
     @test options[:min_convexity] === 0.6
     @test options[:patch_faces] === 100.0
@@ -12,12 +13,13 @@ end
 
 @testset "settings come back" begin
     options = Options(seed = 2^40 + 7, smooth_steps = 3, repair_patches = false, candidates = 5,
-                      node_limit = 10^9, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12)
+                      node_limit = 10^9, quadrangulate = 1, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12)
     @test options[:seed] == 2^40 + 7
     @test options[:smooth_steps] == 3
     @test options[:repair_patches] == 0
     @test options[:candidates] == 5
     @test options[:node_limit] == 10^9
+    @test options[:quadrangulate] == 1
     @test options[:min_quality] == 0.25
     @test options[:min_convexity] == 0.5
     @test options[:patch_faces] === 12.0

@@ -5,8 +5,9 @@ using Test
 include("grid.jl")
 
 @testset "AlphaMST" begin
-    @testset "$noun" for noun in ["library", "error", "options", "mesh", "array", "flags", "field", "savepoint",
-                                  "quality", "patches", "operations", "report", "context", "handle"]
+    @testset "$noun" for noun in ["library", "error", "options", "mesh", "array", "flags", "field", "cross_field",
+                                  "surface", "savepoint",
+                                  "quality", "patches", "operations", "chord", "report", "context", "handle"]
         include("$noun.jl")
     end
 end

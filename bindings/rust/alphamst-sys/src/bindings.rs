@@ -42,6 +42,7 @@ pub const AMST_ERR_STALE: amst_status_code = -9;
 pub const AMST_ERR_PATCH: amst_status_code = -8;
 pub const AMST_ERR_NO_FILLING: amst_status_code = -17;
 pub const AMST_ERR_GEOMETRY: amst_status_code = -18;
+pub const AMST_ERR_CHORD: amst_status_code = -19;
 pub const AMST_ERR_NOT_MANIFOLD: amst_status_code = -7;
 pub const AMST_ERR_NOT_QUAD: amst_status_code = -6;
 pub const AMST_ERR_NOT_FINITE: amst_status_code = -5;
@@ -84,6 +85,28 @@ pub const AMST_DEFECT_CORNERS: amst_defect = 128;
 pub const AMST_DEFECT_NOT_CONVEX: amst_defect = 256;
 pub const AMST_DEFECT_MAX: amst_defect = 2147483647;
 pub type amst_defect = ::std::os::raw::c_int;
+pub const AMST_CHORD_INVALID: amst_chord_property = -1;
+pub const AMST_CHORD_EDGE: amst_chord_property = 0;
+pub const AMST_CHORD_CLOSED: amst_chord_property = 1;
+pub const AMST_CHORD_LENGTH: amst_chord_property = 2;
+pub const AMST_CHORD_FACES: amst_chord_property = 3;
+pub const AMST_CHORD_CROSSINGS: amst_chord_property = 4;
+pub const AMST_CHORD_TOUCHES: amst_chord_property = 5;
+pub const AMST_CHORD_SINGULARITIES: amst_chord_property = 6;
+pub const AMST_CHORD_REFUSAL: amst_chord_property = 7;
+pub const AMST_CHORD_SINGULAR_AFTER: amst_chord_property = 8;
+pub const AMST_CHORD_MAX: amst_chord_property = 2147483647;
+pub type amst_chord_property = ::std::os::raw::c_int;
+pub const AMST_REFUSAL_INVALID: amst_refusal = -1;
+pub const AMST_REFUSAL_CROSSING: amst_refusal = 1;
+pub const AMST_REFUSAL_CLOSED: amst_refusal = 2;
+pub const AMST_REFUSAL_BOUNDARY: amst_refusal = 4;
+pub const AMST_REFUSAL_FIXED: amst_refusal = 8;
+pub const AMST_REFUSAL_FEATURE: amst_refusal = 16;
+pub const AMST_REFUSAL_VALENCE: amst_refusal = 32;
+pub const AMST_REFUSAL_DOUBLE: amst_refusal = 64;
+pub const AMST_REFUSAL_MAX: amst_refusal = 2147483647;
+pub type amst_refusal = ::std::os::raw::c_int;
 pub const AMST_DECOMPOSE_INVALID: amst_decomposition = -1;
 pub const AMST_DECOMPOSE_CLUSTERS: amst_decomposition = 0;
 pub const AMST_DECOMPOSE_PARTITION: amst_decomposition = 1;
@@ -121,6 +144,9 @@ pub const AMST_OPT_SMOOTH_STEPS: amst_option = 1;
 pub const AMST_OPT_REPAIR_PATCHES: amst_option = 2;
 pub const AMST_OPT_CANDIDATES: amst_option = 3;
 pub const AMST_OPT_NODE_LIMIT: amst_option = 4;
+pub const AMST_OPT_QUADRANGULATE: amst_option = 5;
+pub const AMST_OPT_EDIT_BOUNDARY: amst_option = 6;
+pub const AMST_OPT_STRATEGY: amst_option = 7;
 pub const AMST_OPT_MIN_QUALITY: amst_option = 1000;
 pub const AMST_OPT_MIN_CONVEXITY: amst_option = 1001;
 pub const AMST_OPT_PATCH_FACES: amst_option = 1002;
@@ -470,6 +496,9 @@ extern "C" {
     ) -> amst_status;
 }
 extern "C" {
+    pub fn amst_mesh_detect_features(mesh: *mut amst_mesh, angle: f64, found: *mut i64) -> amst_status;
+}
+extern "C" {
     pub fn amst_mesh_set_field(
         mesh: *mut amst_mesh,
         entity: i32,
@@ -495,6 +524,21 @@ extern "C" {
         mesh: *mut amst_mesh,
         entity: i32,
         name: *const ::std::os::raw::c_char,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_compute_cross_field(mesh: *mut amst_mesh, options: *const amst_options) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_alignment(mesh: *const amst_mesh, mean_degrees: *mut f64) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_set_surface(
+        mesh: *mut amst_mesh,
+        points: *const f64,
+        n_points: i64,
+        triangles: *const i32,
+        n_triangles: i64,
     ) -> amst_status;
 }
 extern "C" {
@@ -644,6 +688,62 @@ extern "C" {
 extern "C" {
     pub fn amst_clean(
         mesh: *mut amst_mesh,
+        options: *const amst_options,
+        report: *mut *mut amst_report,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_chord(
+        mesh: *const amst_mesh,
+        edge: amst_id,
+        closed: *mut i32,
+        crossings: *mut i64,
+        out: *mut amst_id,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_chord_ids(
+        mesh: *const amst_mesh,
+        n_chords: *mut i64,
+        out: *mut amst_id,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_chords(
+        mesh: *const amst_mesh,
+        property: i32,
+        options: *const amst_options,
+        out: *mut i64,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_collapse_chord(
+        mesh: *mut amst_mesh,
+        edge: amst_id,
+        options: *const amst_options,
+        report: *mut *mut amst_report,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_split_chord(
+        mesh: *mut amst_mesh,
+        edge: amst_id,
+        n: i32,
+        options: *const amst_options,
+        report: *mut *mut amst_report,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_insert_chords(
+        mesh: *mut amst_mesh,
+        patches: *mut amst_patches,
+        n: i32,
         options: *const amst_options,
         report: *mut *mut amst_report,
     ) -> amst_status;

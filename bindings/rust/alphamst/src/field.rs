@@ -30,9 +30,10 @@ impl Mesh {
     /// of one entity side by side. Operations keep the values of what they keep; `carry` gives the
     /// others theirs. The revision stays.
     ///
-    /// The library reads `"size"`, one number above 0 at each vertex: the wanted edge length.
+    /// The library reads `"size"`, one number above 0 at each vertex: the wanted edge length; and `"cross"`,
+    /// three at each face, see [`compute_cross_field`](Mesh::compute_cross_field).
     ///
-    /// Errors: `Argument` (name empty, carry not for this entity), `Range` (components, number of
+    /// Errors: `Argument` (name empty, name or carry not for this entity), `Range` (components, number of
     /// values, a size not above 0), `NotFinite`, `State` (in a callback).
     ///
     /// ```

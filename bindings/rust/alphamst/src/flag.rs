@@ -1,6 +1,6 @@
 use alphamst_sys as sys;
 
-use crate::error::{check, must};
+use crate::error::{check, must, value};
 use crate::{array, Entity, EntityId, Mesh, Result};
 
 macro_rules! bits {
@@ -104,6 +104,26 @@ bits! {
     }
 }
 
+bits! {
+    /// Why a chord cannot be collapsed.
+    Refusals {
+        /// It crosses itself: a face would become a point.
+        CROSSING = AMST_REFUSAL_CROSSING,
+        /// Its borders meet: no surface would be left between them.
+        CLOSED = AMST_REFUSAL_CLOSED,
+        /// It would join boundary vertices or, not allowed, change the boundary.
+        BOUNDARY = AMST_REFUSAL_BOUNDARY,
+        /// A fixed entity would go or move.
+        FIXED = AMST_REFUSAL_FIXED,
+        /// Two features, or two corners of one, would be merged.
+        FEATURE = AMST_REFUSAL_FEATURE,
+        /// A vertex would get a valence below 3 or above 6.
+        VALENCE = AMST_REFUSAL_VALENCE,
+        /// Two edges would have the same vertices, or a face one twice.
+        DOUBLE = AMST_REFUSAL_DOUBLE,
+    }
+}
+
 /// Flags.
 impl Mesh {
     /// For the given vertices, edges or faces sets the bits in `mask` as they are in `value`. The
@@ -141,6 +161,24 @@ impl Mesh {
             let none = std::ptr::null();
             check(sys::amst_mesh_set_flags(mesh, entity.into(), none, 0, mask.bits(), value.bits()))
         })
+    }
+
+    /// Flags the edges whose two faces have normals more than `angle` degrees apart, 0 to 180, as
+    /// [`Flags::FEATURE`], and as [`Flags::CORNER`] the vertices where curves of such edges, these and
+    /// those of before, end, cross or turn by more than 60 degrees. No flag is taken away; the revision
+    /// stays. Tells the number of edges at more than `angle`.
+    ///
+    /// Errors: `NotFinite`, `Range` (angle), `State` (in a callback).
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert_eq!(mesh.detect_features(30.0)?, 0); // a plane has none
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn detect_features(&mut self, angle: f64) -> Result<usize> {
+        // SAFETY: found is written through a valid pointer; the handle is ours alone.
+        self.change(|mesh| value(|found| unsafe { sys::amst_mesh_detect_features(mesh, angle, found) }))
+            .map(array::count)
     }
 
     /// The flags of every vertex, edge or face.

@@ -46,8 +46,10 @@ pub use alphamst_sys as sys;
 
 mod array;
 mod callback;
+mod chord;
 mod connectivity;
 mod context;
+mod cross_field;
 mod enumeration;
 mod error;
 mod field;
@@ -64,14 +66,16 @@ mod report;
 mod savepoint;
 mod status;
 mod strided;
+mod surface;
 mod thread;
 
 pub use callback::LogLevel;
+pub use chord::{Chord, ChordProperty};
 pub use context::{CancelToken, Context};
 pub use enumeration::UnknownValue;
 pub use error::{Error, Place};
 pub use field::Carry;
-pub use flag::{Defects, Flags};
+pub use flag::{Defects, Flags, Refusals};
 pub use id::{EdgeId, Entity, EntityId, FaceId, PatchId, VertexId};
 pub use library::{has, version, version_string};
 pub use mesh::Mesh;

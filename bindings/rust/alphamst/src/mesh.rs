@@ -37,8 +37,12 @@ pub(crate) fn utf8(path: &Path) -> Result<CString> {
 
 /// Making meshes.
 impl Mesh {
-    /// A mesh from points of 2 or 3 coordinates and faces of four corners, counter-clockwise. At least
-    /// one face, at most 2^28 - 1; unreferenced vertices stay.
+    /// A mesh from points of 2 or 3 coordinates and faces of three or four corners, counter-clockwise; -1
+    /// as the last of four makes a triangle. Triangles are merged in pairs, and all given vertices keep
+    /// their ids; [`Mesh::from_strided`] takes options, such as [`OptionKey::Quadrangulate`]. At least one
+    /// face, at most 2^28 - 1; unreferenced vertices stay.
+    ///
+    /// [`OptionKey::Quadrangulate`]: crate::OptionKey::Quadrangulate
     ///
     /// Errors: `Argument` (another number of coordinates or corners), `Range` (corner, count),
     /// `NotFinite`, `NotQuad`, `NotManifold`.
@@ -50,16 +54,16 @@ impl Mesh {
     /// assert_eq!((mesh.n_vertices(), mesh.n_edges(), mesh.n_faces(), mesh.dim()), (4, 4, 1, 3));
     /// # Ok::<(), alphamst::Error>(())
     /// ```
-    pub fn new<I: Corner, const D: usize>(
+    pub fn new<I: Corner, const D: usize, const C: usize>(
         context: &Context,
         points: &[[f64; D]],
-        faces: &[[I; 4]],
+        faces: &[[I; C]],
     ) -> Result<Self> {
         Self::from_strided(context, Strided::rows(points), Strided::rows(faces), None)
     }
 
-    /// The same from matrices that lie otherwise: one row for each point or face. No option has an
-    /// influence yet.
+    /// The same from matrices that lie otherwise: one row for each point or face. Of the options
+    /// [`OptionKey::Quadrangulate`](crate::OptionKey::Quadrangulate) counts.
     ///
     /// ```
     /// # use alphamst::{Context, Mesh, Strided};
@@ -85,8 +89,9 @@ impl Mesh {
     /// A mesh from a file: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII) .su2 .vtk (legacy). It has
     /// dim 2 when every z is 0. Region numbers of faces and boundary numbers of edges in .msh and .vtk
     /// files are kept and written again; the boundaries of a .su2 file get the numbers 1, 2, ... in the
-    /// order of the file. Borders of regions and numbered edges act as [`Flags::FEATURE`]. No option has
-    /// an influence yet.
+    /// order of the file. Borders of regions and numbered edges act as [`Flags::FEATURE`]. Triangles become
+    /// quads as in [`Mesh::from_strided`], but none is merged with one of another region or over a
+    /// numbered edge.
     ///
     /// Errors: `Io`, `Format`, `Unsupported` (extension, binary variant), `Argument` (a path that is not
     /// UTF-8) and those of [`Mesh::new`].

@@ -100,7 +100,7 @@ impl Mesh {
         self.operate(0, |mesh, report| unsafe { sys::amst_clean(mesh, options, report) })
     }
 
-    fn operate(
+    pub(crate) fn operate(
         &mut self,
         n_patches: usize,
         call: impl FnOnce(*mut sys::amst_mesh, *mut *mut sys::amst_report) -> i32,

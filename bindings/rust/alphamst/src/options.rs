@@ -20,6 +20,12 @@ enumeration! {
         Candidates = AMST_OPT_CANDIDATES,
         /// Integer, 1000: effort of one exact search, in quads laid, 0 to 10^9.
         NodeLimit = AMST_OPT_NODE_LIMIT,
+        /// Integer 0 or 1, 0: triangles of a new mesh are paired, 1: every face is split.
+        Quadrangulate = AMST_OPT_QUADRANGULATE,
+        /// Integer 0 or 1, 0: chords that end on the boundary may be changed.
+        EditBoundary = AMST_OPT_EDIT_BOUNDARY,
+        /// Integer, 0: a whole mesh is adapted by windows, 1: by chords alone.
+        Strategy = AMST_OPT_STRATEGY,
         /// Real, 0.0: no filling with a scaled Jacobian at or below, 0 to 1.
         MinQuality = AMST_OPT_MIN_QUALITY,
         /// Real, 0.6: a patch below is [`Defects::NOT_CONVEX`](crate::Defects::NOT_CONVEX), 0 to 1.
@@ -127,6 +133,40 @@ impl Options {
     /// ```
     pub fn node_limit(self, quads: i64) -> Result<Self> {
         self.with_int(OptionKey::NodeLimit, quads)
+    }
+
+    /// Sets [`OptionKey::Quadrangulate`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().quadrangulate(1)?.get_int(OptionKey::Quadrangulate)?, 1);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn quadrangulate(self, how: i64) -> Result<Self> {
+        self.with_int(OptionKey::Quadrangulate, how)
+    }
+
+    /// Sets [`OptionKey::EditBoundary`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().edit_boundary(true).get_int(OptionKey::EditBoundary)?, 1);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    #[must_use]
+    pub fn edit_boundary(self, edit: bool) -> Self {
+        must(self.with_int(OptionKey::EditBoundary, edit.into()))
+    }
+
+    /// Sets [`OptionKey::Strategy`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().strategy(1)?.get_int(OptionKey::Strategy)?, 1);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn strategy(self, strategy: i64) -> Result<Self> {
+        self.with_int(OptionKey::Strategy, strategy)
     }
 
     /// Sets [`OptionKey::MinQuality`].

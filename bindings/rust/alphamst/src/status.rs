@@ -43,6 +43,8 @@ statuses! {
     Internal = AMST_ERR_INTERNAL,
     /// No filling could be given a valid shape; the patch is as before.
     Geometry = AMST_ERR_GEOMETRY,
+    /// A chord cannot be collapsed or split, see [`Refusals`](crate::Refusals).
+    Chord = AMST_ERR_CHORD,
     /// No filling with the wanted faces was found; the patch is as before.
     NoFilling = AMST_ERR_NO_FILLING,
     /// A call that is not allowed now, such as a change from a callback.

@@ -53,3 +53,24 @@ fn refusals_change_nothing() {
     assert_eq!(mesh.set_all_flags(Entity::Face, unknown, unknown).unwrap_err().status, Status::Range);
     assert_eq!(mesh.checksum(), digest);
 }
+
+#[test]
+fn features_are_where_faces_meet_at_an_angle() {
+    // Folded upwards by 45 degrees from the third column of vertices on.
+    let points: Vec<[f64; 3]> =
+        grid::points(4, 3).iter().map(|&[x, y]| [x, y, f64::max(x - 2.0, 0.0)]).collect();
+    let faces: Vec<[i32; 4]> = (0..12).map(|f| f + f / 4).map(|v| [v, v + 1, v + 6, v + 5]).collect();
+    let mut mesh = Mesh::new(&Context::new(), &points, &faces).unwrap();
+    assert_eq!(mesh.detect_features(46.0).unwrap(), 0);
+    assert!(mesh.flags(Entity::Edge).iter().all(|flags| flags.is_empty()));
+    assert_eq!(mesh.detect_features(44.0).unwrap(), 3);
+    for (flags, ends) in mesh.flags(Entity::Edge).iter().zip(mesh.edges()) {
+        let on_fold = ends.iter().all(|end| end.index() % 5 == 2);
+        assert_eq!(*flags, if on_fold { Flags::FEATURE } else { Flags::NONE });
+    }
+    for (v, flags) in mesh.flags(Entity::Vertex).iter().enumerate() {
+        assert_eq!(*flags, if v == 2 || v == 17 { Flags::CORNER } else { Flags::NONE });
+    }
+    assert_eq!(mesh.detect_features(-1.0).unwrap_err().status, Status::Range);
+    assert_eq!(mesh.detect_features(f64::NAN).unwrap_err().status, Status::NotFinite);
+}

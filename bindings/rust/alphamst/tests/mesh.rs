@@ -142,13 +142,27 @@ fn strided_arrays_are_read_in_place() {
     let mesh = Mesh::from_strided(&context, by_column, by_row, None).unwrap();
     assert_eq!(mesh.checksum(), packed.checksum());
 
-    let triangles = Strided::packed(&[0, 1, 5], 3).unwrap();
-    assert_eq!(
-        Mesh::from_strided(&context, by_column, triangles, None).unwrap_err().status,
-        Status::Argument
-    );
+    let pairs = Strided::packed(&[0, 1, 1, 0], 2).unwrap();
+    assert_eq!(Mesh::from_strided(&context, by_column, pairs, None).unwrap_err().status, Status::Argument);
     assert_eq!(Mesh::new(&context, &[[0.0; 5]; 4], &[[0, 1, 2, 3]]).unwrap_err().status, Status::Argument);
     assert_eq!(Mesh::new(&context, &[[0.0; 0]; 4], &[[0, 1, 2, 3]]).unwrap_err().status, Status::Argument);
+}
+
+#[test]
+fn triangles_become_quads() {
+    let context = Context::new();
+    let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [2.0, 0.0], [2.0, 1.0]];
+    let triangles = [[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]];
+    let mesh = Mesh::new(&context, &points, &triangles).unwrap();
+    assert_eq!((mesh.n_vertices(), mesh.n_faces()), (6, 2));
+    assert_eq!(mesh.points::<2>().unwrap(), points);
+    let mixed = [[0_i64, 1, 2, 3], [1, 4, 5, -1], [1, 5, 2, -1]];
+    assert_eq!(Mesh::new(&context, &points, &mixed).unwrap().n_faces(), 2);
+    let split = Options::new().quadrangulate(1).unwrap();
+    let rows = Strided::packed(triangles.as_flattened(), 3).unwrap();
+    let coords = Strided::packed(points.as_flattened(), 2).unwrap();
+    let mesh = Mesh::from_strided(&context, coords, rows, &split).unwrap();
+    assert_eq!((mesh.n_vertices(), mesh.n_faces()), (6 + 9 + 4, 12));
 }
 
 #[test]

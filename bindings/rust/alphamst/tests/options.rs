@@ -4,8 +4,8 @@ use alphamst::*;
 #[test]
 fn defaults_are_those_of_the_header() {
     let options = Options::default();
-    let integers = [0, 1, 2, 3, 4].map(|key| options.get_int(key).unwrap());
-    assert_eq!(integers, [0, 20, 1, 16, 1000]);
+    let integers = [0, 1, 2, 3, 4, 5].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [0, 20, 1, 16, 1000, 0]);
     let reals = [1000, 1001, 1002].map(|key| options.get_real(key).unwrap());
     assert_eq!(reals, [0.0, 0.6, 100.0]);
 }
@@ -21,14 +21,16 @@ fn every_setter_sets_its_own_key() {
         .unwrap()
         .node_limit(1_000_000_000)
         .unwrap()
+        .quadrangulate(1)
+        .unwrap()
         .min_quality(0.25)
         .unwrap()
         .min_convexity(0.75)
         .unwrap()
         .patch_faces(12.5)
         .unwrap();
-    let integers = [0, 1, 2, 3, 4].map(|key| options.get_int(key).unwrap());
-    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000]);
+    let integers = [0, 1, 2, 3, 4, 5].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000, 1]);
     let reals = [1000, 1001, 1002].map(|key| options.get_real(key).unwrap());
     assert_eq!(reals, [0.25, 0.75, 12.5]);
     assert!(format!("{options:?}").contains("SmoothSteps"));

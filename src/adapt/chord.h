@@ -1,0 +1,30 @@
+// Operations on whole chords: they refine and coarsen without new singular vertices.
+#pragma once
+
+#include "adapt/adapt.h"
+#include "chord/judge.h"
+
+namespace alphamst::adapt {
+
+// Removes the chord through an edge, then smooths the faces around it. Throws Failure: chord, with the
+// reason and the place, where chord::Judge refuses; geometry, if an element would turn over.
+Outcome collapse_chord(mesh::QuadMesh &mesh, int edge, const chord::Rules &rules, const Settings &settings);
+
+// Cuts it into copies + 1 ones, then smooths. Throws Failure: chord; range, if the mesh would get more than
+// most_faces.
+Outcome split_chord(mesh::QuadMesh &mesh, int edge, int copies, std::int64_t most_faces,
+                    const chord::Rules &rules, const Settings &settings);
+
+// Lays n rings of faces between the boundary of each patch and its faces, which become the core. Patches
+// need 3 to 6 corners (boundary vertices with one face) or none, the rest of the boundary straight (two
+// faces), so that singular vertices come at the corners of the core alone, whatever n is.
+std::vector<Outcome> insert_chords(mesh::QuadMesh &mesh, std::vector<Region> &patches, int n,
+                                   const Settings &settings, const Progress &progress);
+
+// The whole mesh by chords alone: removes chords, the shortest first, or splits chords that touch no
+// boundary, the longest that fit first, towards round(alpha * faces), which it never passes. Smooths once,
+// at the end. No element turns over.
+Outcome adapt_chords(mesh::QuadMesh &mesh, double alpha, std::int64_t most_faces, const chord::Rules &rules,
+                     const Settings &settings, const Progress &progress);
+
+} // namespace alphamst::adapt

@@ -1,0 +1,218 @@
+// Many chords at once: each is judged where it lies, the mesh is smoothed once, at the end.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+#include <queue>
+#include <unordered_map>
+
+#include "adapt/chord.h"
+#include "adapt/chord_faces.h"
+#include "adapt/ground.h"
+#include "adapt/locate.h"
+#include "adapt/propose.h"
+
+namespace alphamst::adapt {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Edges by numbers that stay while edges are removed, glued and renumbered.
+class Names {
+public:
+    explicit Names(int edges) : heir_(at(edges)), edge_(at(edges)), name_(at(edges)) {
+        for (std::vector<int> *numbers : {&heir_, &edge_, &name_})
+            std::iota(numbers->begin(), numbers->end(), 0);
+    }
+
+    // -1: it went.
+    int edge(int name) {
+        while (heir_[at(name)] != name)
+            name = heir_[at(name)] = heir_[at(heir_[at(name)])];
+        return edge_[at(name)];
+    }
+    int name(int edge) const { return name_[at(edge)]; }
+
+    void follow(const chord::Chord &chord, const mesh::QuadMesh::Collapsed &collapsed) {
+        for (const int side : chord.sides)
+            edge_[at(name_[at(side / 2)])] = -1;
+        for (const auto &[gone, kept] : collapsed.glued)
+            heir_[at(name_[at(gone)])] = name_[at(kept)];
+        for (const auto &[from, to] : collapsed.moved_edges) {
+            name_[at(to)] = name_[at(from)];
+            edge_[at(name_[at(to)])] = to;
+        }
+    }
+
+private:
+    std::vector<int> heir_, edge_, name_;
+};
+
+Eigen::Vector3d normal_of(const Quad &quad) { return (quad[2] - quad[0]).cross(quad[3] - quad[1]); }
+
+// Whether a face beside the chord would turn over that is upright now.
+bool turns_over(const mesh::QuadMesh &mesh, const chord::Chord &chord, const chord::Collapse &verdict,
+                const std::optional<geometry::Plane> &plane) {
+    std::unordered_map<int, OpenMesh::Vec3d> moved;
+    std::vector<int> vertices, passed = chord.faces;
+    for (const chord::Group &group : verdict.groups) {
+        const OpenMesh::Vec3d place = place_of(mesh, group);
+        moved[group.survivor] = place;
+        vertices.push_back(group.survivor);
+        for (const int v : group.others) {
+            moved[v] = place;
+            vertices.push_back(v);
+        }
+    }
+    std::sort(passed.begin(), passed.end());
+    for (const int f : faces_around(mesh, std::move(vertices), 0)) {
+        if (std::binary_search(passed.begin(), passed.end(), f))
+            continue;
+        const Quad before = quad_of(mesh, f);
+        Quad after = before;
+        const auto corners = mesh.corners(f);
+        for (std::size_t k = 0; k < 4; ++k)
+            if (const auto found = moved.find(corners[k]); found != moved.end())
+                after[k] = {found->second[0], found->second[1], found->second[2]};
+        if (upright(before, plane) &&
+            (!upright(after, plane) || normal_of(before).dot(normal_of(after)) <= 0))
+            return true;
+    }
+    return false;
+}
+
+// Chords by number while others are removed: where each is, and how long.
+class Chords {
+public:
+    explicit Chords(const mesh::QuadMesh &mesh)
+        : mesh_(mesh), names_(mesh.n_edges()), labels_(chord::label(mesh)), length_(labels_.first.size(), 0) {
+        for (std::size_t number = 0; number < length_.size(); ++number)
+            length_[number] = chord::trace(mesh, labels_.first[number]).length();
+    }
+
+    std::size_t count() const { return length_.size(); }
+    std::size_t length(std::size_t number) const { return length_[number]; }
+    chord::Chord trace(std::size_t number) { return chord::trace(mesh_, names_.edge(labels_.first[number])); }
+
+    // The chords that the faces of this one are on, besides: they get shorter without it.
+    std::vector<std::size_t> across(const chord::Chord &chord) const {
+        std::vector<std::size_t> numbers;
+        for (std::size_t i = 0; i < chord.length(); ++i) {
+            const auto h = mesh::Kernel::HalfedgeHandle(chord.sides[i]);
+            const int rail = mesh_.kernel().next_halfedge_handle(h).idx() / 2;
+            numbers.push_back(at(labels_.of_edge[at(names_.name(rail))]));
+        }
+        return numbers;
+    }
+
+    void follow(const chord::Chord &chord, const mesh::QuadMesh::Collapsed &collapsed, std::size_t number,
+                const std::vector<std::size_t> &across) {
+        names_.follow(chord, collapsed);
+        length_[number] = 0;
+        for (const std::size_t other : across)
+            --length_[other];
+    }
+
+private:
+    const mesh::QuadMesh &mesh_;
+    Names names_;
+    const chord::Labels labels_;
+    std::vector<std::size_t> length_;
+};
+
+// The shortest chords go first; what is refused is tried again after others went.
+void remove_chords(mesh::QuadMesh &mesh, std::int64_t least_faces, const chord::Rules &rules,
+                   const std::optional<geometry::Plane> &plane, const Progress &progress) {
+    using Waiting = std::pair<std::size_t, std::size_t>; // length, number; true if the length still is
+    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
+    Chords chords(mesh);
+    chord::Judge judge(mesh, rules);
+    for (std::size_t number = 0; number < chords.count(); ++number)
+        queue.push({chords.length(number), number});
+    std::vector<std::size_t> refused;
+    const double start = mesh.n_faces();
+    bool changed = false;
+    while (!queue.empty()) {
+        const auto [length, number] = queue.top();
+        queue.pop();
+        if (length > 0 && chords.length(number) == length) {
+            const bool room = mesh.n_faces() - static_cast<std::int64_t>(length) >= least_faces;
+            const chord::Chord chord = room ? chords.trace(number) : chord::Chord();
+            const chord::Collapse verdict = room ? judge(chord) : chord::Collapse();
+            if (!room || verdict.reasons != 0 || turns_over(mesh, chord, verdict, plane)) {
+                refused.push_back(number);
+            } else {
+                const std::vector<std::size_t> across = chords.across(chord);
+                std::vector<int> survivors;
+                chords.follow(chord, remove(mesh, chord, verdict, survivors), number, across);
+                for (const std::size_t other : across)
+                    queue.push({chords.length(other), other});
+                changed = true;
+                progress(std::min(0.9, 0.9 * (start - mesh.n_faces()) / start), "chords");
+            }
+        }
+        if (queue.empty() && changed) {
+            for (const std::size_t waiting : refused)
+                queue.push({chords.length(waiting), waiting});
+            refused.clear();
+            changed = false;
+        }
+    }
+}
+
+// The longest closed chord that fits goes first; it is split no more than once more than others.
+void split_chords(mesh::QuadMesh &mesh, std::int64_t most_faces, const chord::Rules &rules,
+                  const Progress &progress) {
+    const double start = mesh.n_faces();
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::vector<std::pair<std::int64_t, int>> fitting; // faces, edge
+        for (const int edge : chord::label(mesh).first) {
+            const chord::Chord chord = chord::trace(mesh, edge);
+            if (chord::judge_split(mesh, chord, rules).reasons == 0)
+                fitting.push_back({chord::faces_added(chord, 1), edge});
+        }
+        std::sort(fitting.begin(), fitting.end(), std::greater<>());
+        for (const auto &[before, edge] : fitting) {
+            const chord::Chord chord = chord::trace(mesh, edge); // longer, if one that it crosses was split
+            if (mesh.n_faces() + chord::faces_added(chord, 1) > most_faces)
+                continue;
+            mesh.split_chord(chord.sides, 1);
+            changed = true;
+            progress(std::min(0.9, start / mesh.n_faces()), "chords");
+        }
+    }
+}
+
+void smooth_or_leave(mesh::QuadMesh &mesh, const Settings &settings) {
+    std::vector<int> all(at(mesh.n_faces()));
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<OpenMesh::Vec3d> points;
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        points.push_back(mesh.point(v));
+    const std::int64_t before = inverted(mesh, all);
+    smooth(mesh, nullptr, settings, [](double, const char *) {});
+    if (inverted(mesh, all) > before)
+        for (int v = 0; v < mesh.n_vertices(); ++v)
+            mesh.set_point(v, points[at(v)]);
+}
+
+} // namespace
+
+Outcome adapt_chords(mesh::QuadMesh &mesh, double alpha, std::int64_t most_faces, const chord::Rules &rules,
+                     const Settings &settings, const Progress &progress) {
+    Account account(mesh);
+    const std::int64_t wanted = wanted_faces(alpha, at(mesh.n_faces()));
+    keep_surface(mesh);
+    std::vector<int> all(at(mesh.n_faces()));
+    std::iota(all.begin(), all.end(), 0);
+    if (wanted < mesh.n_faces())
+        remove_chords(mesh, wanted, rules, plane_of(mesh, all), progress);
+    else
+        split_chords(mesh, std::min(wanted, most_faces), rules, progress);
+    progress(0.9, "smooth");
+    smooth_or_leave(mesh, settings);
+    progress(1, "smooth");
+    return account.close(mesh, wanted);
+}
+
+} // namespace alphamst::adapt

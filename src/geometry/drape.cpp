@@ -1,0 +1,310 @@
+#include "geometry/drape.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "geometry/colour.h"
+#include "geometry/relax.h"
+
+namespace alphamst::geometry {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double still = 1e-2;      // a vertex rests when it moves less, in wanted edge lengths
+constexpr double softest = 0.2;     // first epsilon at corners that are hardly positive
+constexpr double tight = 0.1;       // such corners: determinant over the wanted area
+constexpr double poor_band = 0.15;  // corners up to this above the worst are sharpened with it
+constexpr double least_gain = 2e-3; // of the smallest scaled Jacobian in a round of sharpening
+constexpr int sharpen_sweeps = 3;   // in a round
+constexpr double careful = 0.4;     // scaled Jacobian: worse ones around a vertex are not made by moving it
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Verdict's ranges for the smallest angle and the shape.
+constexpr double acceptable_sine = 0.70710678, acceptable_shape = 0.3;
+
+// Worst over the corners of a quad, by two normals.
+struct Corners {
+    double determinant = std::numeric_limits<double>::infinity(), sine = 1, shape = 1;
+};
+
+Corners corners_of(const std::array<int, 4> &quad, const Drape &drape) {
+    Vector3d edge[4], normal = Vector3d::Zero();
+    double square[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+        edge[k] = drape.points[at(quad[(k + 1) % 4])] - drape.points[at(quad[k])];
+        square[k] = edge[k].squaredNorm();
+        normal += drape.normals[at(quad[k])];
+    }
+    const Vector3d own = (edge[0] - edge[2]).cross(edge[1] - edge[3]).normalized();
+    normal.normalize();
+    Corners worst;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t before = (k + 3) % 4;
+        const Vector3d area = edge[before].cross(edge[k]);
+        const double d = std::min(area.dot(normal), area.dot(own));
+        const double lengths = std::sqrt(square[before] * square[k]), squares = square[before] + square[k];
+        // Not std::min: a NaN has to win.
+        if (!(d >= worst.determinant))
+            worst.determinant = d;
+        if (const double s = lengths > 0 ? d / lengths : 0; !(s >= worst.sine))
+            worst.sine = s;
+        if (const double s = squares > 0 ? 2 * d / squares : 0; !(s >= worst.shape))
+            worst.shape = s;
+    }
+    return worst;
+}
+
+// The star of a vertex in the plane that touches the surface there; the vertex is the origin.
+struct TangentStar {
+    std::vector<Sector> sectors;
+    Points points;
+    Vector3d along, across;
+
+    // Of the surface as coarsely as the quads see it: where it bends within one, a normal at a point
+    // tells little.
+    static Vector3d normal_of(const Problem &problem, const Drape &drape, int vertex) {
+        Vector3d sum = Vector3d::Zero();
+        for (const Sector &s : problem.stars.at(vertex))
+            sum += drape.normals[at(vertex)] + drape.normals[at(s.next)];
+        const double length = sum.norm();
+        return length > 0 ? Vector3d(sum / length) : drape.normals[at(vertex)];
+    }
+
+    void lay(const Problem &problem, const Drape &drape, int vertex) {
+        const Vector3d &origin = drape.points[at(vertex)];
+        const Vector3d normal = normal_of(problem, drape, vertex);
+        along = normal.unitOrthogonal();
+        across = normal.cross(along);
+        sectors.clear();
+        points.assign(1, Vector2d::Zero());
+        for (const Sector &s : problem.stars.at(vertex)) {
+            const int first = static_cast<int>(points.size());
+            for (const int w : {s.next, s.opposite, s.previous}) {
+                const Vector3d away = drape.points[at(w)] - origin;
+                points.emplace_back(away.dot(along), away.dot(across));
+            }
+            sectors.push_back({first, first + 1, first + 2, s.quad});
+        }
+    }
+};
+
+class Mover {
+public:
+    Mover(const surface::Surface &surface, const Problem &problem, Drape &drape, const EmbedOptions &options)
+        : surface_(surface), problem_(problem), drape_(drape), options_(options),
+          awake_(drape.points.size()) {
+        std::transform(problem.fixed.begin(), problem.fixed.end(), awake_.begin(),
+                       [](char fixed) { return static_cast<char>(!fixed); });
+    }
+
+    // Sweeps of the barrier over the vertices that still move.
+    void sweep() {
+        std::vector<std::vector<int>> classes;
+        if (options_.run)
+            classes = colour(problem_);
+        for (step_ = 0; step_ < options_.steps; ++step_) {
+            bool moved = false;
+            for (const auto &vertices : classes)
+                moved |= move_class(vertices);
+            if (!options_.run)
+                for (int v = 0; v < static_cast<int>(drape_.points.size()); ++v)
+                    moved |= move(v);
+            if (!moved)
+                break;
+        }
+    }
+
+    // Raises the worst corners until the smallest scaled Jacobian no longer rises.
+    void sharpen_worst() {
+        std::vector<char> member(drape_.points.size(), 0);
+        std::vector<int> around;
+        std::vector<double> quality(problem_.quads.size());
+        double before = -1;
+        for (int round = 0; round < options_.steps; ++round) {
+            double worst = 1;
+            for (std::size_t q = 0; q < quality.size(); ++q)
+                worst = std::min(worst, quality[q] = corners_of(problem_.quads[q], drape_).sine);
+            if (!(worst > 0) || worst < before + least_gain)
+                return;
+            before = worst;
+            for (const int v : around)
+                member[at(v)] = 0;
+            around.clear();
+            for (std::size_t q = 0; q < quality.size(); ++q)
+                if (quality[q] < worst + poor_band)
+                    for (const int v : problem_.quads[q])
+                        if (!problem_.fixed[at(v)] && !member[at(v)]) {
+                            member[at(v)] = 1;
+                            around.push_back(v);
+                        }
+            grow(problem_.stars, problem_.fixed, 1, around, member);
+            for (int sweep = 0; sweep < sharpen_sweeps; ++sweep)
+                for (const int v : around)
+                    turn(v, worst * worst);
+        }
+    }
+
+private:
+    bool move_class(const std::vector<int> &vertices) {
+        constexpr std::size_t piece = 128; // vertices at least that make up for a change of thread
+        std::vector<char> moved((vertices.size() + piece - 1) / piece, 0);
+        options_.run(moved.size(), [&](std::size_t i) {
+            const std::size_t last = std::min(vertices.size(), (i + 1) * piece);
+            for (std::size_t k = i * piece; k < last; ++k)
+                moved[i] |= move(vertices[k]);
+        });
+        return std::find(moved.begin(), moved.end(), 1) != moved.end();
+    }
+
+    // Smallest determinant in the star over the wanted area.
+    double least_determinant(const TangentStar &star) const {
+        double least = std::numeric_limits<double>::infinity();
+        const auto &p = star.points;
+        for (const Sector &s : star.sectors) {
+            const Vector2d a = p[at(s.next)] - p[0], b = p[at(s.previous)] - p[0],
+                           u = p[at(s.opposite)] - p[at(s.next)], w = p[at(s.opposite)] - p[at(s.previous)];
+            least = std::min(least,
+                             std::min({cross(a, b), cross(a, u), cross(w, b)}) / problem_.area[at(s.quad)]);
+        }
+        return least;
+    }
+
+    // True if the vertex moved far. Vertices without a common quad may be moved at the same time.
+    bool move(int v) {
+        const auto sectors = problem_.stars.at(v);
+        if (!awake_[at(v)] || problem_.fixed[at(v)] || sectors.empty())
+            return false;
+        awake_[at(v)] = 0;
+        thread_local TangentStar star;
+        star.lay(problem_, drape_, v);
+        const double least = least_determinant(star);
+        Barrier barrier{.theta = 0.3, .area = problem_.area};
+        double distance = 0;
+        if (!(least > tight)) {
+            barrier.epsilon = std::max(0.3 * std::max(0.0, -least), softest * std::pow(0.5, step_) + 1e-3);
+            distance = relax(barrier, star.sectors, star.points, 0, no_floor);
+            barrier.epsilon = 0;
+        }
+        if (least_determinant(star) > 0)
+            distance = std::max(distance, relax(barrier, star.sectors, star.points, 0, no_floor));
+        if (!land(v, star, least) || distance <= still * still * problem_.area[at(sectors[0].quad)])
+            return false;
+        awake_[at(v)] = 1;
+        for (const Sector &s : sectors)
+            for (const int w : {s.next, s.opposite, s.previous})
+                std::atomic_ref(awake_[at(w)]).store(1, std::memory_order_relaxed);
+        return true;
+    }
+
+    void turn(int v, double floor) {
+        thread_local TangentStar star;
+        const auto sectors = problem_.stars.at(v);
+        if (sectors.empty())
+            return;
+        star.lay(problem_, drape_, v);
+        const double least = least_determinant(star);
+        if (least > 0 && sharpen(star.sectors, star.points, 0, floor,
+                                 options_.least_area * problem_.area[at(sectors[0].quad)]) > 0)
+            land(v, star, least);
+    }
+
+    // Takes the vertex from its tangent plane to the surface. False, and nothing done, if that turned a
+    // corner over.
+    bool land(int v, TangentStar &star, double least) {
+        if (star.points[0].squaredNorm() == 0)
+            return false;
+        const Vector3d from = drape_.points[at(v)];
+        const Vector3d flat = from + star.points[0].x() * star.along + star.points[0].y() * star.across;
+        const surface::Spot spot = surface_.follow(flat, drape_.anchors[at(v)]);
+        const Vector3d way = spot.point - from;
+        star.points[0] = {way.dot(star.along), way.dot(star.across)};
+        if (const double now = least_determinant(star); !(now > 0) && now < least)
+            return false;
+        // The corners as they are judged, each against its own quad.
+        const surface::Spot old{drape_.anchors[at(v)], from, drape_.normals[at(v)], 0};
+        drape_.put(v, spot);
+        const double now = worst_around(v);
+        if (now >= careful)
+            return true;
+        drape_.put(v, old);
+        if (const double before = worst_around(v); before > 0 && now < before)
+            return false;
+        drape_.put(v, spot);
+        return true;
+    }
+
+    double worst_around(int v) const {
+        double worst = 1;
+        for (const Sector &s : problem_.stars.at(v))
+            worst = std::min(worst, corners_of(problem_.quads[at(s.quad)], drape_).sine);
+        return worst;
+    }
+
+    const surface::Surface &surface_;
+    const Problem &problem_;
+    Drape &drape_;
+    const EmbedOptions &options_;
+    int step_ = 0;
+    std::vector<char> awake_;
+};
+
+} // namespace
+
+void Drape::add(const surface::Spot &spot) {
+    points.push_back(spot.point);
+    normals.push_back(spot.normal);
+    anchors.push_back(spot.triangle);
+}
+
+void Drape::put(int vertex, const surface::Spot &spot) {
+    points[at(vertex)] = spot.point;
+    normals[at(vertex)] = spot.normal;
+    anchors[at(vertex)] = spot.triangle;
+}
+
+Judgement judge(Quads quads, const Drape &drape) {
+    Judgement result;
+    if (quads.empty())
+        return result;
+    result = {std::numeric_limits<double>::infinity(), 1, 1, 0, false};
+    for (const auto &quad : quads) {
+        const Corners worst = corners_of(quad, drape);
+        if (!(worst.determinant >= result.min_determinant))
+            result.min_determinant = worst.determinant;
+        if (!(worst.sine >= result.min_scaled_jacobian))
+            result.min_scaled_jacobian = worst.sine;
+        if (!(worst.shape >= result.min_shape))
+            result.min_shape = worst.shape;
+        result.poor += !(worst.sine >= acceptable_sine && worst.shape >= acceptable_shape);
+    }
+    result.valid = result.min_determinant > 0 && result.min_scaled_jacobian > 0;
+    return result;
+}
+
+Judgement improve(const surface::Surface &surface, Quads quads, std::span<const char> fixed, Drape &drape,
+                  const EmbedOptions &options) {
+    double area = 0;
+    for (const auto &q : quads)
+        area += (drape.points[at(q[2])] - drape.points[at(q[0])])
+                    .cross(drape.points[at(q[3])] - drape.points[at(q[1])])
+                    .norm() /
+                2;
+    if (!(area > 0) || !std::isfinite(area))
+        return judge(quads, drape);
+    std::vector<double> wanted(options.area.begin(), options.area.end());
+    wanted.resize(quads.size(), area / static_cast<double>(quads.size()));
+    const Stars stars(quads, static_cast<int>(drape.points.size()));
+    const Problem problem{quads, stars, fixed, wanted};
+    Mover mover(surface, problem, drape, options);
+    mover.sweep();
+    mover.sharpen_worst();
+    return judge(quads, drape);
+}
+
+} // namespace alphamst::geometry

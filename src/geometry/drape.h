@@ -1,0 +1,32 @@
+// Positions on a curved surface: what `improve` is in the plane.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "geometry/embed.h"
+#include "surface/surface.h"
+
+namespace alphamst::geometry {
+
+// Vertices on a surface. All arrays are [vertex].
+struct Drape {
+    std::vector<Eigen::Vector3d> points, normals; // normals of the surface, of length one
+    std::vector<int> anchors;                     // triangle of the surface under each vertex
+
+    void add(const surface::Spot &spot);
+    void put(int vertex, const surface::Spot &spot);
+};
+
+// A corner is positive if it is so against the mean normal of the surface at the four vertices of its
+// quad and against the normal of the quad itself (Verdict's).
+Judgement judge(Quads quads, const Drape &drape);
+
+// Moves the free vertices over the surface for squarer quads of the wanted areas: each by Newton steps in
+// its tangent plane, and back to the surface by the shortest way from where it was. Corners that are not
+// positive are turned over where that comes soon. Returns how the quads are then.
+Judgement improve(const surface::Surface &surface, Quads quads, std::span<const char> fixed, Drape &drape,
+                  const EmbedOptions &options);
+
+} // namespace alphamst::geometry

@@ -1,0 +1,93 @@
+#include "mesh/feature.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace alphamst::mesh {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double corner_turn = 60; // degrees
+
+Vector3d point_of(const QuadMesh &mesh, int vertex) {
+    const OpenMesh::Vec3d &p = mesh.point(vertex);
+    return {p[0], p[1], p[2]};
+}
+
+// Twice the area of the face in each of the three planes.
+Vector3d area_vector(const QuadMesh &mesh, int face) {
+    const auto [a, b, c, d] = mesh.corners(face);
+    return (point_of(mesh, c) - point_of(mesh, a)).cross(point_of(mesh, d) - point_of(mesh, b));
+}
+
+// 0..180; 0 if one of them has no length.
+double angle_between(const Vector3d &u, const Vector3d &v) {
+    return std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi;
+}
+
+std::vector<int> sharp_edges(const QuadMesh &mesh, double angle) {
+    std::vector<Vector3d> normals;
+    normals.reserve(static_cast<std::size_t>(mesh.n_faces()));
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        normals.push_back(area_vector(mesh, f).normalized()); // stays zero if it is
+    std::vector<int> sharp;
+    for (int e = 0; e < mesh.n_edges(); ++e) {
+        const auto [left, right] = mesh.edge_faces(e);
+        if (left >= 0 && right >= 0 &&
+            angle_between(normals[static_cast<std::size_t>(left)], normals[static_cast<std::size_t>(right)]) >
+                angle)
+            sharp.push_back(e);
+    }
+    return sharp;
+}
+
+// Where the curves of these edges end, cross or turn.
+std::vector<int> corners_of(const QuadMesh &mesh, const std::vector<bool> &on_curve) {
+    struct Ends {
+        int n = 0;
+        std::array<int, 2> others = {-1, -1}; // across the first two
+    };
+    std::vector<Ends> ends(static_cast<std::size_t>(mesh.n_vertices()));
+    const auto note = [&](int vertex, int other) {
+        Ends &at = ends[static_cast<std::size_t>(vertex)];
+        if (at.n < 2)
+            at.others[static_cast<std::size_t>(at.n)] = other;
+        ++at.n;
+    };
+    for (int e = 0; e < mesh.n_edges(); ++e)
+        if (on_curve[static_cast<std::size_t>(e)]) {
+            const auto [v, w] = mesh.edge_vertices(e);
+            note(v, w);
+            note(w, v);
+        }
+    const auto turn = [&](int v, const std::array<int, 2> &others) {
+        return angle_between(point_of(mesh, v) - point_of(mesh, others[0]),
+                             point_of(mesh, others[1]) - point_of(mesh, v));
+    };
+    std::vector<int> corners;
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        const auto &[n, others] = ends[static_cast<std::size_t>(v)];
+        if (n != 0 && (n != 2 || turn(v, others) > corner_turn))
+            corners.push_back(v);
+    }
+    return corners;
+}
+
+} // namespace
+
+Features find_features(const QuadMesh &mesh, double angle) {
+    std::vector<int> edges = sharp_edges(mesh, angle);
+    std::vector<bool> on_curve(static_cast<std::size_t>(mesh.n_edges()));
+    for (std::size_t e = 0; e < mesh.edge_flags.size(); ++e)
+        on_curve[e] = (mesh.edge_flags[e] & feature) != 0;
+    for (const int e : edges)
+        on_curve[static_cast<std::size_t>(e)] = true;
+    return {std::move(edges), corners_of(mesh, on_curve)};
+}
+
+} // namespace alphamst::mesh
