@@ -32,15 +32,16 @@ bool same_points(const mesh::QuadMesh &mesh, const surface::Surface &surface) {
 } // namespace
 
 std::vector<double> Ground::scaled_jacobians(const mesh::QuadMesh &mesh) const {
-    const geometry::Points positions = plane ? flatten(mesh, *plane) : geometry::Points();
-    std::vector<int> all(plane ? 0 : at(mesh.n_vertices()));
-    std::iota(all.begin(), all.end(), 0);
-    const geometry::Drape drape = plane ? geometry::Drape() : drape_of(mesh, *surface, anchors, all);
+    if (!plane) {
+        std::vector<int> all(at(mesh.n_vertices()));
+        std::iota(all.begin(), all.end(), 0);
+        return geometry::scaled_jacobians(mesh.faces(), drape_of(mesh, *surface, anchors, all));
+    }
+    const geometry::Points positions = flatten(mesh, *plane);
     std::vector<double> quality;
     for (std::size_t f = 0; f < mesh.faces().size(); ++f) {
         const auto quad = mesh.faces().subspan(f, 1);
-        quality.push_back((plane ? geometry::shapes_of(quad, positions) : geometry::judge(quad, drape))
-                              .min_scaled_jacobian);
+        quality.push_back(geometry::shapes_of(quad, positions).min_scaled_jacobian);
     }
     return quality;
 }

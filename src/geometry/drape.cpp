@@ -60,6 +60,37 @@ Corners corners_of(const std::array<int, 4> &quad, const Drape &drape) {
     return worst;
 }
 
+// Of the quads themselves, weighted by their areas; not of length one.
+std::vector<Vector3d> vertex_normals(Quads quads, const Drape &drape) {
+    std::vector<Vector3d> normals(drape.points.size(), Vector3d::Zero());
+    for (const auto &q : quads) {
+        const Vector3d area = (drape.points[at(q[2])] - drape.points[at(q[0])])
+                                  .cross(drape.points[at(q[3])] - drape.points[at(q[1])]);
+        for (const int v : q)
+            normals[at(v)] += area;
+    }
+    return normals;
+}
+
+// Smallest scaled Jacobian of the corners against the mean of the normals at the vertices.
+double sine_against(const std::array<int, 4> &quad, const Drape &drape,
+                    const std::vector<Vector3d> &normals) {
+    Vector3d edge[4], normal = Vector3d::Zero();
+    for (std::size_t k = 0; k < 4; ++k) {
+        edge[k] = drape.points[at(quad[(k + 1) % 4])] - drape.points[at(quad[k])];
+        normal += normals[at(quad[k])].normalized();
+    }
+    normal.normalize();
+    double sine = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double lengths = std::sqrt(edge[(k + 3) % 4].squaredNorm() * edge[k].squaredNorm());
+        const double s = lengths > 0 ? edge[(k + 3) % 4].cross(edge[k]).dot(normal) / lengths : 0;
+        if (!(s >= sine))
+            sine = s;
+    }
+    return sine;
+}
+
 // The star of a vertex in the plane that touches the surface there; the vertex is the origin.
 struct TangentStar {
     std::vector<Sector> sectors;
@@ -268,13 +299,24 @@ void Drape::put(int vertex, const surface::Spot &spot) {
     anchors[at(vertex)] = spot.triangle;
 }
 
+std::vector<double> scaled_jacobians(Quads quads, const Drape &drape) {
+    const std::vector<Vector3d> normals = vertex_normals(quads, drape);
+    std::vector<double> result;
+    result.reserve(quads.size());
+    for (const auto &quad : quads)
+        result.push_back(std::min(corners_of(quad, drape).sine, sine_against(quad, drape, normals)));
+    return result;
+}
+
 Judgement judge(Quads quads, const Drape &drape) {
     Judgement result;
     if (quads.empty())
         return result;
     result = {std::numeric_limits<double>::infinity(), 1, 1, 0, false};
+    const std::vector<Vector3d> normals = vertex_normals(quads, drape);
     for (const auto &quad : quads) {
-        const Corners worst = corners_of(quad, drape);
+        Corners worst = corners_of(quad, drape);
+        worst.sine = std::min(worst.sine, sine_against(quad, drape, normals));
         if (!(worst.determinant >= result.min_determinant))
             result.min_determinant = worst.determinant;
         if (!(worst.sine >= result.min_scaled_jacobian))

@@ -20,8 +20,10 @@ struct Drape {
 };
 
 // A corner is positive if it is so against the mean normal of the surface at the four vertices of its
-// quad and against the normal of the quad itself (Verdict's).
+// quad, against that of the quads there, and against the normal of the quad itself (Verdict's).
 Judgement judge(Quads quads, const Drape &drape);
+// [quad]
+std::vector<double> scaled_jacobians(Quads quads, const Drape &drape);
 
 // Moves the free vertices over the surface for squarer quads of the wanted areas: each by Newton steps in
 // its tangent plane, and back to the surface by the shortest way from where it was. Corners that are not
