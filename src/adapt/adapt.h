@@ -63,9 +63,9 @@ std::vector<Outcome> adapt(mesh::QuadMesh &mesh, std::vector<Region> &patches, d
 std::vector<Outcome> reduce_singularities(mesh::QuadMesh &mesh, std::vector<Region> &patches,
                                           const Settings &settings, const Progress &progress);
 
-// The same for a whole mesh in a plane, with windows that the library chooses. adapt delivers
-// round(alpha * faces) faces; a vertex field "size" says where they go, else they go where the faces
-// were. reduce_singularities keeps the count within a few percent.
+// The same for a whole mesh, with windows that the library chooses. adapt delivers
+// round(alpha * faces) faces; a vertex field "size" says where they go, else they go where the surface
+// bends or, in a plane, where the faces were. reduce_whole keeps the count within a few percent.
 Outcome adapt_whole(mesh::QuadMesh &mesh, double alpha, const Settings &settings, const Progress &progress);
 Outcome reduce_whole(mesh::QuadMesh &mesh, const Settings &settings, const Progress &progress);
 

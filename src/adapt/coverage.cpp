@@ -1,33 +1,20 @@
 #include "adapt/coverage.h"
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "adapt/locate.h"
 #include "fill/random.h"
+#include "surface/boxes.h"
 
 namespace alphamst::adapt {
 namespace {
 
-namespace index = boost::geometry::index;
-using Eigen::Vector3d;
-using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using Box = boost::geometry::model::box<Point>;
-using Entry = std::pair<Box, int>;
+namespace index = surface::index;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-Point corner(const Vector3d &p) { return {p.x(), p.y(), p.z()}; }
-
-Box box_of(const Quad &quad, double margin) {
-    const Vector3d around = Vector3d::Constant(margin);
-    return {corner(quad[0].cwiseMin(quad[1]).cwiseMin(quad[2].cwiseMin(quad[3])) - around),
-            corner(quad[0].cwiseMax(quad[1]).cwiseMax(quad[2].cwiseMax(quad[3])) + around)};
-}
 
 // Some of n things, in order, spread without regard to their order.
 std::vector<int> choose(std::size_t n, std::size_t most) {
@@ -60,38 +47,61 @@ Coverage::Coverage(const surface::Surface &surface, const mesh::QuadMesh &mesh, 
     }
 }
 
-std::optional<std::vector<Coverage::Owner>>
-Coverage::cover(std::span<const int> faces, std::span<const Quad> quads, std::vector<int> *missed) const {
+Coverage::Owner Coverage::owner_of(int sample, std::span<const Quad> quads,
+                                   const surface::BoxTree &tree) const {
+    std::pair nearest(std::numeric_limits<double>::infinity(), -1);
+    const auto holds = index::intersects(surface::box_corner(point(sample)));
+    for (auto e = tree.qbegin(holds); e != tree.qend(); ++e)
+        nearest = std::min(nearest, {nearest_spot(quads[at(e->second)], point(sample)).distance, e->second});
+    return {sample, nearest.second, static_cast<float>(std::sqrt(nearest.first))};
+}
+
+// Of some of the faces.
+struct Coverage::Found {
+    std::vector<Owner> owners;
+    std::vector<int> missed;
+};
+
+std::optional<std::vector<Coverage::Owner>> Coverage::cover(std::span<const int> faces,
+                                                            std::span<const Quad> quads,
+                                                            std::vector<int> *missed,
+                                                            const geometry::Run &run) const {
     double reach = tolerance_;
     for (const int f : faces)
         for (const int s : samples(f))
             reach = std::max(reach, allowed(s));
-    std::vector<Entry> entries;
+    std::vector<surface::BoxEntry> entries;
     for (std::size_t q = 0; q < quads.size(); ++q)
-        entries.emplace_back(box_of(quads[q], reach), static_cast<int>(q));
-    const index::rtree<Entry, index::rstar<16>> tree(entries.begin(), entries.end());
-    std::vector<Owner> owners;
-    for (const int f : faces)
-        for (const int s : samples(f)) {
-            Owner owner{s, -1, 0};
-            double nearest = std::numeric_limits<double>::infinity();
-            for (auto e = tree.qbegin(index::intersects(corner(point(s)))); e != tree.qend(); ++e) {
-                const double d = nearest_spot(quads[at(e->second)], point(s)).distance;
-                if (std::pair(d, e->second) < std::pair(nearest, owner.quad)) {
-                    nearest = d;
-                    owner.quad = e->second;
+        entries.emplace_back(surface::box_of(quads[q], reach), static_cast<int>(q));
+    const surface::BoxTree tree(entries);
+    const std::size_t piece = run ? 256 : faces.size(); // faces
+    std::vector<Found> found(run ? (faces.size() + piece - 1) / piece : 1);
+    const auto look = [&](std::size_t i) {
+        for (const int f : faces.subspan(i * piece, std::min(piece, faces.size() - i * piece)))
+            for (const int s : samples(f)) {
+                const Owner owner = owner_of(s, quads, tree);
+                if (static_cast<double>(owner.distance) <= allowed(s)) {
+                    found[i].owners.push_back(owner);
+                } else {
+                    found[i].missed.push_back(f);
+                    if (missed == nullptr)
+                        return;
+                    break;
                 }
             }
-            owner.distance = static_cast<float>(std::sqrt(nearest));
-            if (std::sqrt(nearest) <= allowed(s)) {
-                owners.push_back(owner);
-            } else {
-                if (missed == nullptr)
-                    return std::nullopt;
-                if (missed->empty() || missed->back() != f)
-                    missed->push_back(f);
-            }
-        }
+    };
+    if (run)
+        run(found.size(), look);
+    else
+        look(0);
+    std::vector<Owner> owners;
+    for (const Found &part : found) {
+        if (missed == nullptr && !part.missed.empty())
+            return std::nullopt;
+        owners.insert(owners.end(), part.owners.begin(), part.owners.end());
+        if (missed != nullptr)
+            missed->insert(missed->end(), part.missed.begin(), part.missed.end());
+    }
     return owners;
 }
 

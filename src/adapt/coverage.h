@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "adapt/quad.h"
+#include "geometry/embed.h"
 #include "mesh/quad_mesh.h"
+#include "surface/boxes.h"
 #include "surface/surface.h"
 
 namespace alphamst::adapt {
@@ -29,7 +31,8 @@ public:
     // Nothing if some sample would be farther from all quads than it may be; unless `missed` is given:
     // then it gets the faces with such samples, and the rest is in the answer.
     std::optional<std::vector<Owner>> cover(std::span<const int> faces, std::span<const Quad> quads,
-                                            std::vector<int> *missed = nullptr) const;
+                                            std::vector<int> *missed = nullptr,
+                                            const geometry::Run &run = {}) const;
 
     // Takes the samples of `faces` away and gives them to the faces that `of_quad` names.
     void assign(std::span<const int> faces, std::span<const Owner> owners, std::span<const int> of_quad);
@@ -48,6 +51,10 @@ public:
     const Eigen::Vector3d &point(int sample) const { return points_[static_cast<std::size_t>(sample)]; }
 
 private:
+    struct Found;
+
+    Owner owner_of(int sample, std::span<const Quad> quads, const surface::BoxTree &tree) const;
+
     std::vector<Eigen::Vector3d> points_;   // [sample]
     std::vector<float> distance_;           // [sample]
     std::vector<std::vector<int>> samples_; // [face]

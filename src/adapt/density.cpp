@@ -1,6 +1,5 @@
 #include "adapt/density.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -16,19 +15,18 @@ constexpr double flat = 0.25, sharp = 8;
 
 } // namespace
 
-std::optional<Density> Density::of(const mesh::QuadMesh &mesh, const Ground &ground, std::int64_t wanted) {
+std::optional<Density> Density::of(const mesh::QuadMesh &mesh, Ground &ground, std::int64_t wanted) {
     if (mesh.n_faces() == 0)
         return std::nullopt;
-    if (mesh.field(Entity::vertex, "size") != nullptr)
-        return Density(mesh);
-    if (ground.surface)
-        return Density(ground, wanted);
-    return std::nullopt;
+    if (mesh.field(Entity::vertex, "size") == nullptr)
+        return ground.surface ? std::optional(Density(ground, wanted)) : std::nullopt;
+    Density field(mesh);
+    return ground.surface ? Density(ground, field) : std::move(field);
 }
 
 // With edges of length h the surface is missed by about its curvature times h^2 / 8. For a number of faces
 // the mean square of that is least where the faces per area go with curvature^(2/3).
-Density::Density(const Ground &ground, std::int64_t wanted) : ground_(&ground) {
+Density::Density(Ground &ground, std::int64_t wanted) : ground_(&ground), wished_(false) {
     const surface::Surface &surface = *ground.surface;
     const double points = static_cast<double>(surface.points().size());
     const double edges = std::sqrt(points / static_cast<double>(std::max<std::int64_t>(1, wanted)));
@@ -39,8 +37,17 @@ Density::Density(const Ground &ground, std::int64_t wanted) : ground_(&ground) {
         const double bend = (curvature[static_cast<std::size_t>(a)] + curvature[static_cast<std::size_t>(b)] +
                              curvature[static_cast<std::size_t>(c)]) /
                             3;
-        density_.push_back(std::pow(flat * mean + std::min(bend, sharp * mean), 2.0 / 3));
+        ground.density.push_back(std::pow(flat * mean + std::min(bend, sharp * mean), 2.0 / 3));
     }
+}
+
+Density::Density(Ground &ground, const Density &field) : ground_(&ground) {
+    const surface::Surface &surface = *ground.surface;
+    for (const auto &[a, b, c] : surface.triangles())
+        ground.density.push_back(field.at((surface.points()[static_cast<std::size_t>(a)] +
+                                           surface.points()[static_cast<std::size_t>(b)] +
+                                           surface.points()[static_cast<std::size_t>(c)]) /
+                                          3));
 }
 
 Density::Density(const mesh::QuadMesh &mesh)
@@ -65,17 +72,16 @@ double Density::of_face(const mesh::QuadMesh &mesh, int face) const {
     for (const int v : mesh.corners(face)) {
         middle += point_of(mesh, v) / 4;
         if (ground_)
-            sum += density_[static_cast<std::size_t>(ground_->anchors[static_cast<std::size_t>(v)])] / 4;
+            sum +=
+                ground_->density[static_cast<std::size_t>(ground_->anchors[static_cast<std::size_t>(v)])] / 4;
     }
     return ground_ ? sum : at(middle);
 }
 
 std::vector<double> Density::weights(const mesh::QuadMesh &mesh, std::span<const int> faces) const {
     std::vector<double> weights;
-    for (const int f : faces) {
-        const Quad corner = quad_of(mesh, f);
-        weights.push_back((corner[2] - corner[0]).cross(corner[3] - corner[1]).norm() / 2 * of_face(mesh, f));
-    }
+    for (const int f : faces)
+        weights.push_back(area_vector(quad_of(mesh, f)).norm() * of_face(mesh, f));
     return weights;
 }
 

@@ -1,6 +1,5 @@
 #include "adapt/ground.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 
@@ -12,12 +11,6 @@ namespace alphamst::adapt {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-Eigen::Vector3d normal_of(const mesh::QuadMesh &mesh, int face) {
-    const auto corners = mesh.corners(face);
-    return (point_of(mesh, corners[2]) - point_of(mesh, corners[0]))
-        .cross(point_of(mesh, corners[3]) - point_of(mesh, corners[1]));
-}
 
 // The surface was made of the mesh as it is: its points are the vertices.
 bool same_points(const mesh::QuadMesh &mesh, const surface::Surface &surface) {
@@ -32,11 +25,8 @@ bool same_points(const mesh::QuadMesh &mesh, const surface::Surface &surface) {
 } // namespace
 
 std::vector<double> Ground::scaled_jacobians(const mesh::QuadMesh &mesh) const {
-    if (!plane) {
-        std::vector<int> all(at(mesh.n_vertices()));
-        std::iota(all.begin(), all.end(), 0);
-        return geometry::scaled_jacobians(mesh.faces(), drape_of(mesh, *surface, anchors, all));
-    }
+    if (!plane)
+        return geometry::scaled_jacobians(mesh.faces(), drape(mesh));
     const geometry::Points positions = flatten(mesh, *plane);
     std::vector<double> quality;
     for (std::size_t f = 0; f < mesh.faces().size(); ++f) {
@@ -46,10 +36,37 @@ std::vector<double> Ground::scaled_jacobians(const mesh::QuadMesh &mesh) const {
     return quality;
 }
 
+geometry::Drape Ground::drape(const mesh::QuadMesh &mesh) const {
+    std::vector<int> all(at(mesh.n_vertices()));
+    std::iota(all.begin(), all.end(), 0);
+    return drape_of(mesh, *surface, anchors, all);
+}
+
+std::vector<double> Ground::areas(geometry::Quads quads, const geometry::Drape &drape) const {
+    std::vector<double> wanted;
+    if (density.empty())
+        return wanted;
+    double sum = 0, area = 0;
+    for (const auto &q : quads) {
+        double faces = 0;
+        Quad corners;
+        for (std::size_t k = 0; k < 4; ++k) {
+            faces += density[at(drape.anchors[at(q[k])])] / 4;
+            corners[k] = drape.points[at(q[k])];
+        }
+        wanted.push_back(1 / faces);
+        sum += 1 / faces;
+        area += area_vector(corners).norm();
+    }
+    for (double &a : wanted)
+        a *= area / sum;
+    return wanted;
+}
+
 std::optional<geometry::Plane> plane_of(const mesh::QuadMesh &mesh, std::span<const int> faces) {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (const int f : faces)
-        normal += normal_of(mesh, f);
+        normal += area_vector(quad_of(mesh, f));
     if (mesh.dim() == 2)
         return geometry::Plane::of_coordinates(normal.z() < 0);
     std::vector<Eigen::Vector3d> points;
@@ -110,7 +127,7 @@ geometry::Drape drape_of(const mesh::QuadMesh &mesh, const surface::Surface &sur
 surface::Spot spot_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, int vertex) {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (const int f : mesh.faces_around(vertex))
-        normal += normal_of(mesh, f);
+        normal += area_vector(quad_of(mesh, f));
     return surface.nearest(point_of(mesh, vertex), normal);
 }
 

@@ -20,7 +20,13 @@ struct Ground {
     std::shared_ptr<const surface::Surface> surface;
     std::vector<int> anchors;
     std::optional<Coverage> coverage; // where the whole of it is to stay covered
+    // [triangle of the surface] wanted faces per unit of area, but for a factor; empty: even.
+    std::vector<double> density;
 
+    // The surface at all vertices, where there is no plane.
+    geometry::Drape drape(const mesh::QuadMesh &mesh) const;
+    // [quad] Wanted areas of quads on the surface, which sum up to theirs; empty: all equal.
+    std::vector<double> areas(geometry::Quads quads, const geometry::Drape &drape) const;
     // [face]
     std::vector<double> scaled_jacobians(const mesh::QuadMesh &mesh) const;
 };

@@ -1,41 +1,34 @@
 #include "adapt/locate.h"
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
 
+#include "surface/boxes.h"
+
 namespace alphamst::adapt {
 namespace {
 
-namespace index = boost::geometry::index;
+namespace index = surface::index;
 using Eigen::Vector3d;
-using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using Box = boost::geometry::model::box<Point>;
-using Entry = std::pair<Box, int>;
-using RTree = index::rtree<Entry, index::rstar<16>>;
-
-Point corner(const Vector3d &p) { return {p.x(), p.y(), p.z()}; }
-
-Box box_of(const Quad &quad, double margin = 0) {
-    const Vector3d around = Vector3d::Constant(margin);
-    return {corner(quad[0].cwiseMin(quad[1]).cwiseMin(quad[2].cwiseMin(quad[3])) - around),
-            corner(quad[0].cwiseMax(quad[1]).cwiseMax(quad[2].cwiseMax(quad[3])) + around)};
-}
+using surface::Box;
+using surface::box_corner;
+using surface::box_of;
+using surface::BoxEntry;
+using surface::BoxTree;
 
 // The entries whose boxes meet the ball around the point that reaches to the entry of the nearest
 // box: among them are all that are nearest. squared(number) is the squared distance of an entry.
 template <class Distance>
-std::vector<int> candidates(const RTree &tree, const Vector3d &point, const Distance &squared) {
-    Entry one;
-    tree.query(index::nearest(corner(point), 1), &one);
+std::vector<int> candidates(const BoxTree &tree, const Vector3d &point, const Distance &squared) {
+    BoxEntry one;
+    tree.query(index::nearest(box_corner(point), 1), &one);
     // A little further, so that rounding hides no tie.
     const Vector3d reach = Vector3d::Constant(std::sqrt(squared(one.second)) * (1 + 1e-12));
     std::vector<int> found{one.second};
-    const Box box(corner(point - reach), corner(point + reach));
+    const Box box(box_corner(point - reach), box_corner(point + reach));
     for (auto entry = tree.qbegin(index::intersects(box)); entry != tree.qend(); ++entry)
         found.push_back(entry->second);
     return found;
@@ -44,11 +37,11 @@ std::vector<int> candidates(const RTree &tree, const Vector3d &point, const Dist
 } // namespace
 
 struct Points::Tree {
-    RTree boxes;
+    BoxTree boxes;
 };
 
 struct Faces::Tree {
-    RTree boxes;
+    BoxTree boxes;
 };
 
 Quad quad_of(const mesh::QuadMesh &mesh, int face) {
@@ -65,11 +58,11 @@ Vector3d point_of(const mesh::QuadMesh &mesh, int vertex) {
 }
 
 Points::Points(std::vector<Vector3d> points) : points_(std::move(points)) {
-    std::vector<Entry> entries;
+    std::vector<BoxEntry> entries;
     entries.reserve(points_.size());
     for (const Vector3d &p : points_)
-        entries.emplace_back(Box(corner(p), corner(p)), static_cast<int>(entries.size()));
-    tree_.reset(new Tree{RTree(entries)});
+        entries.emplace_back(box_of(std::span(&p, 1)), static_cast<int>(entries.size()));
+    tree_.reset(new Tree{BoxTree(entries)});
 }
 
 Points::~Points() = default;
@@ -83,11 +76,11 @@ std::size_t Points::nearest(const Vector3d &point) const {
 }
 
 Faces::Faces(const mesh::QuadMesh &mesh, std::vector<int> faces) : mesh_(mesh) {
-    std::vector<Entry> entries;
+    std::vector<BoxEntry> entries;
     entries.reserve(faces.size());
     for (const int face : faces)
         entries.emplace_back(box_of(quad_of(mesh, face)), face);
-    tree_.reset(new Tree{RTree(entries)});
+    tree_.reset(new Tree{BoxTree(entries)});
 }
 
 Faces::~Faces() = default;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 
 #include "quality/metric.h"
@@ -9,6 +10,11 @@
 namespace alphamst::adapt {
 
 using Quad = quality::Corners;
+
+// Half the cross product of the diagonals: as long as the area of the quad, if that is flat.
+inline Eigen::Vector3d area_vector(const Quad &quad) {
+    return (quad[2] - quad[0]).cross(quad[3] - quad[1]) / 2;
+}
 
 // A point of a quad as an average of its corners, none of negative weight.
 struct Spot {

@@ -1,9 +1,10 @@
 #include "adapt/relax.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 
+#include "adapt/locate.h"
+#include "adapt/shaping.h"
 #include "adapt/tally.h"
 #include "adapt/workers.h"
 #include "geometry/embed.h"
@@ -19,19 +20,14 @@ constexpr double least_relaxed = 0.3;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-double area_of(const mesh::QuadMesh &mesh, const std::array<int, 4> &q) {
-    return (point_of(mesh, q[2]) - point_of(mesh, q[0]))
-               .cross(point_of(mesh, q[3]) - point_of(mesh, q[1]))
-               .norm() /
-           2;
-}
+double area_of(const mesh::QuadMesh &mesh, int face) { return area_vector(quad_of(mesh, face)).norm(); }
 
 // Of each face: the mean over the faces around it, some layers deep.
 std::vector<double> local_areas(const mesh::QuadMesh &mesh) {
     constexpr int layers = 4;
     std::vector<double> area;
-    for (const auto &q : mesh.faces())
-        area.push_back(area_of(mesh, q));
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        area.push_back(area_of(mesh, f));
     std::vector<double> sum(at(mesh.n_vertices())), count(sum.size(), 0);
     for (const auto &q : mesh.faces())
         for (const int v : q)
@@ -57,7 +53,7 @@ std::vector<double> wanted_areas(const mesh::QuadMesh &mesh, const Density &dens
     for (int f = 0; f < mesh.n_faces(); ++f) {
         wanted.push_back(1 / density.of_face(mesh, f));
         sum += wanted.back();
-        area += area_of(mesh, mesh.corners(f));
+        area += area_of(mesh, f);
     }
     for (double &a : wanted)
         a *= area / sum;
@@ -75,24 +71,41 @@ void relax_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, std::span<co
     }
 }
 
-// Takes vertices back to where they started from around samples of the surface that would be too far from
-// the mesh; false if some still are.
-bool keep_covered(const mesh::QuadMesh &mesh, const Coverage &coverage, const geometry::Drape &start,
-                  geometry::Drape &drape, std::vector<Coverage::Owner> &owners) {
-    constexpr int most_rounds = 5;
+// Quads that are worse than they were, and than a relaxed one may be.
+std::vector<int> spoiled(const mesh::QuadMesh &mesh, const std::vector<double> &before,
+                         const geometry::Drape &drape) {
+    const std::vector<double> now = geometry::scaled_jacobians(mesh.faces(), drape);
+    std::vector<int> faces;
+    for (std::size_t f = 0; f < now.size(); ++f)
+        if (now[f] < std::min(before[f], least_relaxed))
+            faces.push_back(static_cast<int>(f));
+    return faces;
+}
+
+// Takes vertices back to where they started from around quads that are spoiled and around samples of the
+// surface that would be too far from the mesh; false if some still are.
+bool keep_good(const mesh::QuadMesh &mesh, const std::optional<Coverage> &coverage,
+               const geometry::Drape &start, geometry::Drape &drape, std::vector<Coverage::Owner> &owners,
+               const geometry::Run &run) {
+    constexpr int most_rounds = 8;
+    const std::vector<double> before = geometry::scaled_jacobians(mesh.faces(), start);
     std::vector<int> all(at(mesh.n_faces()));
     std::iota(all.begin(), all.end(), 0);
     for (int round = 0; round < most_rounds; ++round) {
-        std::vector<Quad> quads(all.size());
-        for (std::size_t f = 0; f < quads.size(); ++f)
-            for (std::size_t k = 0; k < 4; ++k)
-                quads[f][k] = drape.points[at(mesh.faces()[f][k])];
-        std::vector<int> missed;
-        owners = *coverage.cover(all, quads, &missed);
-        if (missed.empty())
+        std::vector<int> bad = spoiled(mesh, before, drape);
+        if (coverage) {
+            std::vector<Quad> quads(all.size());
+            for (std::size_t f = 0; f < quads.size(); ++f)
+                for (std::size_t k = 0; k < 4; ++k)
+                    quads[f][k] = drape.points[at(mesh.faces()[f][k])];
+            owners = *coverage->cover(all, quads, &bad, run);
+        }
+        if (bad.empty())
             return true;
+        std::sort(bad.begin(), bad.end());
+        bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
         patch::Growth growth(mesh);
-        for (const int f : growth.surround(missed, 2 + round))
+        for (const int f : growth.surround(bad, 1 + round))
             for (const int v : mesh.corners(f))
                 drape.put(v, {start.anchors[at(v)], start.points[at(v)], start.normals[at(v)], 0});
     }
@@ -101,17 +114,11 @@ bool keep_covered(const mesh::QuadMesh &mesh, const Coverage &coverage, const ge
 
 void relax_draped(mesh::QuadMesh &mesh, Ground &ground, std::span<const char> fixed,
                   const geometry::EmbedOptions &options) {
-    std::vector<int> all(at(mesh.n_vertices()));
-    std::iota(all.begin(), all.end(), 0);
-    const geometry::Drape start = drape_of(mesh, *ground.surface, ground.anchors, all);
+    const geometry::Drape start = ground.drape(mesh);
     geometry::Drape drape = start;
-    const geometry::Judgement before = geometry::judge(mesh.faces(), start);
     geometry::improve(*ground.surface, mesh.faces(), fixed, drape, options);
     std::vector<Coverage::Owner> owners;
-    if (ground.coverage && !keep_covered(mesh, *ground.coverage, start, drape, owners))
-        return;
-    if (geometry::judge(mesh.faces(), drape).min_scaled_jacobian <
-        std::min(before.min_scaled_jacobian, least_relaxed))
+    if (!keep_good(mesh, ground.coverage, start, drape, owners, options.run))
         return;
     if (ground.coverage) {
         std::vector<int> faces(at(mesh.n_faces()));
@@ -135,10 +142,7 @@ void relax(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &d
     for (int v = 0; v < mesh.n_vertices(); ++v)
         fixed.push_back(mesh.isolated(v) || patch::pinned(mesh, v));
     const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
-    geometry::EmbedOptions options;
-    options.steps = settings.smooth_steps;
-    options.patient = settings.patient;
-    options.least_area = settings.least_area;
+    geometry::EmbedOptions options = shaping(settings);
     options.area = area;
     const Workers workers(settings.threads);
     options.run = [&](std::size_t n, const std::function<void(std::size_t)> &work) {

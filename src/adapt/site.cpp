@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapt/shaping.h"
 #include "patch/region.h"
 
 namespace alphamst::adapt {
@@ -79,10 +80,7 @@ std::map<int, std::int64_t> Site::valences(const fill::Filling &filling) const {
 }
 
 geometry::Embedding Site::embed(const Shape &shape) const {
-    geometry::EmbedOptions options;
-    options.steps = settings_.smooth_steps;
-    options.patient = settings_.patient;
-    options.least_area = settings_.least_area;
+    const geometry::EmbedOptions options = shaping(settings_);
     const fill::Filling &filling = shape.filling;
     if (!shape.positions.empty()) {
         std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
@@ -98,10 +96,7 @@ geometry::Embedding Site::embed(const Shape &shape) const {
 // Into the chart, from there to the surface, and there into shape.
 Laid Site::drape(const Shape &shape) const {
     const fill::Filling &filling = shape.filling;
-    geometry::EmbedOptions options;
-    options.steps = settings_.smooth_steps;
-    options.patient = settings_.patient;
-    options.least_area = settings_.least_area;
+    geometry::EmbedOptions options = shaping(settings_);
     Laid laid;
     geometry::Points positions = shape.positions;
     if (positions.empty()) {
@@ -120,6 +115,8 @@ Laid Site::drape(const Shape &shape) const {
     }
     std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
     std::fill_n(fixed.begin(), filling.boundary, char(1));
+    const std::vector<double> areas = ground_.areas(filling.quads, laid.draped);
+    options.area = areas;
     static_cast<geometry::Judgement &>(laid) =
         geometry::improve(surface(), filling.quads, fixed, laid.draped, options);
     return laid;

@@ -28,7 +28,6 @@ struct Refusal {
 struct Laid : geometry::Judgement {
     geometry::Points flat;  // in the plane of the patch, or, if that is curved,
     geometry::Drape draped; // on the surface
-    double away = 0;        // there: most that edges and faces are off the surface
     int stuck = -1;         // see geometry::Embedding
 };
 
@@ -65,6 +64,7 @@ public:
 
     Laid lay(const Shape &shape) const;
     bool curved() const { return chart_.has_value(); }
+    const Ground &ground() const { return ground_; }
     const surface::Surface &surface() const { return *ground_.surface; }
 
     // Those of the mesh boundary included.

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "adapt/obstacle.h"
+#include "adapt/shaping.h"
 #include "adapt/site.h"
 #include "patch/region.h"
 
@@ -12,16 +13,17 @@ namespace alphamst::adapt {
 namespace {
 
 Shapeliness shape_of(const geometry::Judgement &quads) {
-    return {quads.min_scaled_jacobian, quads.min_shape, static_cast<double>(quads.poor)};
+    return {quads.min_scaled_jacobian, quads.min_shape, static_cast<double>(quads.poor), quads.inverted};
 }
 
 Shapeliness both(const Shapeliness &a, const Shapeliness &b) {
-    return {std::min(a.scaled_jacobian, b.scaled_jacobian), std::min(a.shape, b.shape), a.poor + b.poor};
+    return {std::min(a.scaled_jacobian, b.scaled_jacobian), std::min(a.shape, b.shape), a.poor + b.poor,
+            a.inverted + b.inverted};
 }
 
 bool reaches(const Shapeliness &reached, const Shapeliness &wanted) {
     return reached.scaled_jacobian >= wanted.scaled_jacobian && reached.shape >= wanted.shape &&
-           reached.poor <= wanted.poor;
+           reached.poor <= wanted.poor && reached.inverted <= wanted.inverted;
 }
 
 // What moving the rim has hardly ever mended (8 of 1,300 tries on two meshes).
@@ -69,30 +71,29 @@ public:
 
     // Filling and rim; with the rim where it is if laid knows no places for it.
     std::vector<Quad> quads(const fill::Filling &filling, const Laid &laid) const {
-        std::vector<Quad> all;
+        const std::vector<Eigen::Vector3d> &points = laid.draped.points;
         const auto n = static_cast<std::size_t>(filling.vertices);
         const auto loop = static_cast<std::size_t>(filling.boundary);
-        for (const auto &q : filling.quads)
-            for (std::size_t k = 0; k < 4; ++k) {
-                if (k == 0)
-                    all.emplace_back();
-                all.back()[k] = laid.draped.points[static_cast<std::size_t>(q[k])];
-            }
-        for (const auto &q : quads_)
-            for (std::size_t k = 0; k < 4; ++k) {
-                if (k == 0)
-                    all.emplace_back();
-                const auto v = static_cast<std::size_t>(q[k]);
-                all.back()[k] = v < loop                        ? laid.draped.points[v]
-                                : laid.draped.points.size() > n ? laid.draped.points[v + n - loop]
-                                                                : draped_.points[v];
-            }
+        const auto inside = [&](std::size_t v) { return points[v]; };
+        const auto around = [&](std::size_t v) {
+            return v < loop ? points[v] : points.size() > n ? points[v + n - loop] : draped_.points[v];
+        };
+        std::vector<Quad> all;
+        const auto add = [&](const std::array<int, 4> &quad, const auto &place) {
+            Quad &corners = all.emplace_back();
+            for (std::size_t k = 0; k < 4; ++k)
+                corners[k] = place(static_cast<std::size_t>(quad[k]));
+        };
+        for (const auto &quad : filling.quads)
+            add(quad, inside);
+        for (const auto &quad : quads_)
+            add(quad, around);
         return all;
     }
 
     // Lets the vertices of filling and rim move together. Places are those of the filling, then
     // of the rim's own vertices.
-    Laid improve(const fill::Filling &filling, Laid laid, const geometry::EmbedOptions &options) const {
+    Laid improve(const fill::Filling &filling, Laid laid, geometry::EmbedOptions options) const {
         const int loop = filling.boundary, fresh = filling.vertices - loop;
         std::vector<std::array<int, 4>> quads = filling.quads;
         for (std::array<int, 4> quad : quads_) {
@@ -110,6 +111,8 @@ public:
             append(laid.draped.points, draped_.points);
             append(laid.draped.normals, draped_.normals);
             append(laid.draped.anchors, draped_.anchors);
+            const std::vector<double> areas = site_.ground().areas(quads, laid.draped);
+            options.area = areas;
             static_cast<geometry::Judgement &>(laid) =
                 geometry::improve(site_.surface(), quads, fixed, laid.draped, options);
         } else {
@@ -194,11 +197,8 @@ std::optional<Trial> judge(const Site &site, const Rim &rim, const Shape &shape,
         if (first.poor > wanted.poor + hopeless_poor ||
             (laid.valid && first.shape < hopeless_shape * wanted.shape))
             return std::nullopt;
-        geometry::EmbedOptions options;
-        options.steps = settings.smooth_steps;
-        options.least_area = settings.least_area;
-        laid = rim.improve(filling, std::move(laid), options);
-        if (!laid.valid || !reaches(shape_of(laid), wanted))
+        laid = rim.improve(filling, std::move(laid), shaping(settings));
+        if (!reaches(shape_of(laid), wanted))
             return std::nullopt;
         rim.collect(filling, laid, trial);
     }
@@ -226,7 +226,7 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
         // Where the old filling is no answer, it is to be bettered.
         const double gain = goal.forbid_old ? least_gain : 0;
         Shapeliness least = {std::min(wanted.scaled_jacobian, before.scaled_jacobian + gain),
-                             std::min(wanted.shape, before.shape), 0};
+                             std::min(wanted.shape, before.shape), 0, before.inverted};
         Obstacles obstacles;
         int tried = 0;
         for (const Site::Source &source : site.sources())
@@ -238,7 +238,9 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
                     if (change > goal.most_added || (!goal.any_count && faces != goal.faces) ||
                         !site.fits(shape.filling) || obstacles.met_by(shape.filling))
                         continue;
-                    least.poor = before.poor + std::max(0.0, -change * wanted.poor);
+                    // To be rid of an inverted quad is worth as much as to be rid of a singularity.
+                    const int gain = std::max(0, -change) + before.inverted;
+                    least.poor = before.poor + gain * wanted.poor;
                     if (auto trial = judge(site, rim, shape, least, settings, ground.coverage, obstacles)) {
                         trial->singular_change = change;
                         return trial;

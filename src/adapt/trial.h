@@ -15,10 +15,11 @@ struct Place {
     std::vector<int> rim;   // the faces around them
 };
 
-// Of some faces: smallest scaled Jacobian and shape (both Verdict's), and the number of poor quads. As
-// a wish: how many quads may become poor for one singularity less.
+// Of some faces: smallest scaled Jacobian and shape (both Verdict's), and the numbers of poor and inverted
+// quads. As a wish: how many quads may become poor for one singularity less.
 struct Shapeliness {
     double scaled_jacobian = 1, shape = 1, poor = 0;
+    int inverted = 0;
 };
 
 struct Trial {

@@ -21,26 +21,30 @@ constexpr double best_quality = 0.5, least_quality = 0.3, least_shape = 0.1;
 constexpr double poor_price = 5; // quads that may become poor for one singularity less
 
 constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
-constexpr double most_misshapen = 100; // poor quads that a better worst one may cost
-constexpr int large = 160;
+constexpr double most_misshapen = 100;             // poor quads that a better worst one may cost
+constexpr int large = 160, large_on_surface = 100; // there larger windows seldom fit a chart
 constexpr int most_of_mesh = 12;    // larger windows than such a part of the mesh hardly ever come right
 constexpr int repeats = 3;          // with windows of one size
 constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
 constexpr double tolerance = 0.6;   // of the distance to the surface, in wanted edge lengths
 constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
 constexpr double far = 0.1;         // of the wanted faces; fewer that are missing are left to the count
-constexpr int most_on_way = 2;      // singularities that a window may add meanwhile
 
-// What the last faces may cost, little by little: part of the shape that windows keep, singularities added,
-// tolerance of the distance to the surface.
+// What faces that are missing may cost, little by little: part of the shape that windows keep, singularities
+// added, tolerance of the distance to the surface.
 struct Level {
     double shape;
     int added;
     double tolerance;
 };
+constexpr std::array<Level, 3> on_way = {{{1, 2, 1}, {0.6, 4, 1.4}, {0.4, 8, 2}}}; // far from the count
+constexpr std::array<Level, 3> mending = {{{1, 0, 1}, {0.3, 2, 1}, {0.1, 8, 3}}};
+constexpr int tries = 4;
+constexpr double good_way = 0.7; // of what was missing, or less, is what shall be left
+constexpr int large_on_way = 60;
 constexpr std::size_t most_sizes = 3; // of windows, the most promising
-constexpr std::array<Level, 7> levels = {
-    {{1, 0, 1}, {0.6, 0, 1}, {1, 2, 1}, {0.6, 2, 1}, {0.6, 4, 1.4}, {0.4, 8, 2}, {0.2, 16, 3}}};
+constexpr std::array<Level, 6> levels = {
+    {{1, 0, 1}, {0.6, 0, 1.4}, {0.6, 2, 1.4}, {0.6, 4, 2}, {0.4, 8, 2}, {0.2, 16, 3}}};
 
 // A filling that does not come right soon gives way to another window.
 Settings hasty(Settings settings) {
@@ -85,7 +89,8 @@ public:
         : mesh_(mesh), ground_(ground), settings_(hasty(settings)), progress_(progress),
           density_(Density::of(mesh, ground, wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces())))),
           sweep_(mesh, ground, shares(mesh, density_, alpha), density_, settings_),
-          quality_(std::max(working_quality(mesh, ground), settings.min_quality)) {}
+          quality_(std::max(working_quality(mesh, ground), settings.min_quality)),
+          near_(ground.coverage ? ground.coverage->tolerance() : 0) {}
 
     // Faces go to where a size field wants them, before singularities are saved.
     void spread() {
@@ -110,7 +115,7 @@ public:
         for (std::size_t i = 0; i < sizes.size(); ++i) {
             if (sizes[i] < smallest || sizes[i] > largest())
                 continue;
-            if (static_cast<double>(std::abs(sweep_.missing())) > far * static_cast<double>(sweep_.wanted()))
+            if (is_far())
                 approach(sizes[i], part * static_cast<double>(i));
             Pass pass;
             pass.size = sizes[i];
@@ -125,21 +130,30 @@ public:
             if (sweep_.singular() < before)
                 relax(mesh_, ground_, density_, settings_);
             idle = before - sweep_.singular() < worthwhile * before ? idle + 1 : 0;
-            if (sizes[i] >= large && idle > 1)
+            if (sizes[i] >= (ground_.surface ? large_on_surface : large) && idle > 1)
                 break;
         }
     }
 
-    // Far from the wanted count every part of the mesh takes its share of the way.
+    // Far from the wanted count every part of the mesh takes its share of the way, and more may be lost
+    // where it hardly goes on.
     void approach(int size, double start) {
-        Pass pass;
-        pass.purpose = Purpose::spread;
-        pass.size = std::clamp(size, 30, large);
-        pass.slack = far;
-        pass.shape = wish(1);
-        pass.most_added = most_on_way;
-        if (run(pass, "approach", start, 0) > 0)
-            relax(mesh_, ground_, density_, settings_);
+        for (const Level &level : on_way) {
+            const auto before = static_cast<double>(std::abs(sweep_.missing()));
+            allow(level);
+            Pass pass;
+            pass.purpose = Purpose::spread;
+            pass.size = std::clamp(size, 30, large_on_way);
+            pass.slack = far;
+            pass.shape = wish(level.shape);
+            pass.most_added = level.added;
+            if (run(pass, "approach", start, 0) > 0)
+                relax(mesh_, ground_, density_, settings_);
+            const auto now = static_cast<double>(std::abs(sweep_.missing()));
+            if (now < good_way * before || !is_far())
+                break;
+        }
+        allow(levels[0]);
     }
 
     // Windows just large enough to take up what is missing come first; singularities are added, and
@@ -147,15 +161,14 @@ public:
     // True if it changed anything.
     bool count() {
         const auto missing = sweep_.missing();
-        const double near = ground_.coverage ? ground_.coverage->tolerance() : 0;
         for (const Level &level : levels) {
             if (sweep_.missing() == 0)
                 break;
-            if (ground_.coverage)
-                ground_.coverage->set_tolerance(level.tolerance * near);
+            allow(level);
             std::vector<int> order = {40, 60, 100, 160, 250, 400, 600};
+            const bool many = ground_.surface && std::abs(sweep_.missing()) > order[most_sizes - 1];
             const auto rank = [&](int size) {
-                return size >= 4 * std::abs(sweep_.missing()) ? size : 2000 - size;
+                return many || size >= 4 * std::abs(sweep_.missing()) ? size : 2000 - size;
             };
             std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
             std::erase_if(order, [&](int size) { return size > largest(); });
@@ -170,22 +183,26 @@ public:
                     done = run(pass, "count", 0.8, 0.15);
             }
         }
-        if (ground_.coverage)
-            ground_.coverage->set_tolerance(near);
+        allow(levels[0]);
         return sweep_.missing() != missing;
     }
 
-    // What is left of bad shapes, most often of the input: around them any filling that is better.
+    // What is left of bad shapes, most often of the input: around them any filling that is better, the
+    // more so the worse they are.
     void mend() {
-        for (const int added : {0, 2})
+        for (const Level &level : mending) {
+            allow(level);
             for (const int size : {16, 30, 60}) {
                 Pass pass;
                 pass.purpose = Purpose::mend;
                 pass.size = size;
-                pass.most_added = added;
-                pass.shape = {added == 0 ? least_quality : least_quality / 3, 0, most_misshapen};
-                run(pass, "mend", 0.95, 0);
+                pass.most_added = level.added;
+                pass.shape = {level.shape * least_quality, 0, most_misshapen};
+                for (int k = 0; k < (level.added > 0 ? tries : 1); ++k)
+                    run(pass, "mend", 0.95, 0);
             }
+        }
+        allow(levels[0]);
     }
 
     void finish() {
@@ -196,6 +213,15 @@ public:
 
 private:
     int largest() const { return std::max(large, mesh_.n_faces() / most_of_mesh); }
+
+    bool is_far() const {
+        return static_cast<double>(std::abs(sweep_.missing())) > far * static_cast<double>(sweep_.wanted());
+    }
+
+    void allow(const Level &level) {
+        if (ground_.coverage)
+            ground_.coverage->set_tolerance(level.tolerance * near_);
+    }
 
     Shapeliness wish(double part) const { return {part * quality_, part * least_shape, poor_price}; }
 
@@ -209,7 +235,7 @@ private:
     const Progress &progress_;
     const std::optional<Density> density_;
     Sweep sweep_;
-    double quality_;
+    const double quality_, near_; // near_: usual tolerance of the distance to the surface
 };
 
 Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings,
@@ -232,9 +258,16 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
     Whole work(mesh, ground, alpha, settings, progress);
     work.spread();
     work.reduce(0);
+    if (ground.surface)
+        work.mend();
     if (exact && work.count()) {
         work.reduce(60);
         work.count();
+    }
+    if (ground.surface) {
+        work.reduce(60);
+        if (exact)
+            work.count();
     }
     work.finish();
     work.mend();

@@ -47,8 +47,6 @@ private:
     std::vector<int> heir_, edge_, name_;
 };
 
-Eigen::Vector3d normal_of(const Quad &quad) { return (quad[2] - quad[0]).cross(quad[3] - quad[1]); }
-
 // Whether a face beside the chord would turn over that is upright now.
 bool turns_over(const mesh::QuadMesh &mesh, const chord::Chord &chord, const chord::Collapse &verdict,
                 const std::optional<geometry::Plane> &plane) {
@@ -74,7 +72,7 @@ bool turns_over(const mesh::QuadMesh &mesh, const chord::Chord &chord, const cho
             if (const auto found = moved.find(corners[k]); found != moved.end())
                 after[k] = {found->second[0], found->second[1], found->second[2]};
         if (upright(before, plane) &&
-            (!upright(after, plane) || normal_of(before).dot(normal_of(after)) <= 0))
+            (!upright(after, plane) || area_vector(before).dot(area_vector(after)) <= 0))
             return true;
     }
     return false;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/colour.h"
 #include "geometry/relax.h"
+#include "geometry/sweep.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -15,57 +15,58 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double still = 1e-2;      // a vertex rests when it moves less, in wanted edge lengths
-constexpr double softest = 0.2;     // first epsilon at corners that are hardly positive
-constexpr double tight = 0.1;       // such corners: determinant over the wanted area
-constexpr double poor_band = 0.15;  // corners up to this above the worst are sharpened with it
-constexpr double least_gain = 2e-3; // of the smallest scaled Jacobian in a round of sharpening
-constexpr int sharpen_sweeps = 3;   // in a round
-constexpr double careful = 0.4;     // scaled Jacobian: worse ones around a vertex are not made by moving it
+constexpr double tight = 0.1;   // corners that are hardly positive: determinant over the wanted area
+constexpr double careful = 0.4; // scaled Jacobian: worse ones around a vertex are not made by moving it
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Verdict's ranges for the smallest angle and the shape.
-constexpr double acceptable_sine = 0.70710678, acceptable_shape = 0.3;
-
-// Worst over the corners of a quad, by two normals.
+// The corners of a quad: edge k leaves corner k; the normals are that of the surface and its own.
 struct Corners {
-    double determinant = std::numeric_limits<double>::infinity(), sine = 1, shape = 1;
+    Vector3d edge[4], normal = Vector3d::Zero(), own;
+    double square[4]; // of the edges
+
+    Corners(const std::array<int, 4> &quad, const Drape &drape) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            edge[k] = drape.points[at(quad[(k + 1) % 4])] - drape.points[at(quad[k])];
+            square[k] = edge[k].squaredNorm();
+            normal += drape.normals[at(quad[k])];
+        }
+        own = (edge[0] - edge[2]).cross(edge[1] - edge[3]).normalized();
+        normal.normalize();
+    }
+
+    double determinant(std::size_t k) const {
+        const Vector3d area = edge[(k + 3) % 4].cross(edge[k]);
+        return std::min(area.dot(normal), area.dot(own));
+    }
+
+    // The smallest scaled Jacobian.
+    double sine() const {
+        double worst = 1; // s |s|
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double d = determinant(k), squares = square[(k + 3) % 4] * square[k];
+            // Not std::min: a NaN has to win.
+            if (const double s = squares > 0 ? d * std::abs(d) / squares : 0; !(s >= worst))
+                worst = s;
+        }
+        return std::copysign(std::sqrt(std::abs(worst)), worst);
+    }
 };
 
-Corners corners_of(const std::array<int, 4> &quad, const Drape &drape) {
-    Vector3d edge[4], normal = Vector3d::Zero();
-    double square[4];
-    for (std::size_t k = 0; k < 4; ++k) {
-        edge[k] = drape.points[at(quad[(k + 1) % 4])] - drape.points[at(quad[k])];
-        square[k] = edge[k].squaredNorm();
-        normal += drape.normals[at(quad[k])];
-    }
-    const Vector3d own = (edge[0] - edge[2]).cross(edge[1] - edge[3]).normalized();
-    normal.normalize();
-    Corners worst;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const std::size_t before = (k + 3) % 4;
-        const Vector3d area = edge[before].cross(edge[k]);
-        const double d = std::min(area.dot(normal), area.dot(own));
-        const double lengths = std::sqrt(square[before] * square[k]), squares = square[before] + square[k];
-        // Not std::min: a NaN has to win.
-        if (!(d >= worst.determinant))
-            worst.determinant = d;
-        if (const double s = lengths > 0 ? d / lengths : 0; !(s >= worst.sine))
-            worst.sine = s;
-        if (const double s = squares > 0 ? 2 * d / squares : 0; !(s >= worst.shape))
-            worst.shape = s;
-    }
-    return worst;
+double sine_of(const std::array<int, 4> &quad, const Drape &drape) { return Corners(quad, drape).sine(); }
+
+// Half the cross product of the diagonals.
+Vector3d area_vector(const std::array<int, 4> &quad, const Drape &drape) {
+    return (drape.points[at(quad[2])] - drape.points[at(quad[0])])
+               .cross(drape.points[at(quad[3])] - drape.points[at(quad[1])]) /
+           2;
 }
 
 // Of the quads themselves, weighted by their areas; not of length one.
 std::vector<Vector3d> vertex_normals(Quads quads, const Drape &drape) {
     std::vector<Vector3d> normals(drape.points.size(), Vector3d::Zero());
     for (const auto &q : quads) {
-        const Vector3d area = (drape.points[at(q[2])] - drape.points[at(q[0])])
-                                  .cross(drape.points[at(q[3])] - drape.points[at(q[1])]);
+        const Vector3d area = area_vector(q, drape);
         for (const int v : q)
             normals[at(v)] += area;
     }
@@ -135,64 +136,24 @@ public:
     }
 
     // Sweeps of the barrier over the vertices that still move.
-    void sweep() {
+    void sweep_all() {
         std::vector<std::vector<int>> classes;
         if (options_.run)
             classes = colour(problem_);
-        for (step_ = 0; step_ < options_.steps; ++step_) {
-            bool moved = false;
-            for (const auto &vertices : classes)
-                moved |= move_class(vertices);
-            if (!options_.run)
-                for (int v = 0; v < static_cast<int>(drape_.points.size()); ++v)
-                    moved |= move(v);
-            if (!moved)
+        const int n = static_cast<int>(drape_.points.size());
+        for (step_ = 0; step_ < options_.steps; ++step_)
+            if (!sweep(n, classes, options_, [this](int v) { return move(v); }))
                 break;
-        }
     }
 
     // Raises the worst corners until the smallest scaled Jacobian no longer rises.
-    void sharpen_worst() {
-        std::vector<char> member(drape_.points.size(), 0);
-        std::vector<int> around;
-        std::vector<double> quality(problem_.quads.size());
-        double before = -1;
-        for (int round = 0; round < options_.steps; ++round) {
-            double worst = 1;
-            for (std::size_t q = 0; q < quality.size(); ++q)
-                worst = std::min(worst, quality[q] = corners_of(problem_.quads[q], drape_).sine);
-            if (!(worst > 0) || worst < before + least_gain)
-                return;
-            before = worst;
-            for (const int v : around)
-                member[at(v)] = 0;
-            around.clear();
-            for (std::size_t q = 0; q < quality.size(); ++q)
-                if (quality[q] < worst + poor_band)
-                    for (const int v : problem_.quads[q])
-                        if (!problem_.fixed[at(v)] && !member[at(v)]) {
-                            member[at(v)] = 1;
-                            around.push_back(v);
-                        }
-            grow(problem_.stars, problem_.fixed, 1, around, member);
-            for (int sweep = 0; sweep < sharpen_sweeps; ++sweep)
-                for (const int v : around)
-                    turn(v, worst * worst);
-        }
+    void sharpen() {
+        sharpen_worst(
+            problem_, options_.steps, [this](std::size_t q) { return sine_of(problem_.quads[q], drape_); },
+            [this](int v, double floor) { turn(v, floor); });
     }
 
 private:
-    bool move_class(const std::vector<int> &vertices) {
-        constexpr std::size_t piece = 128; // vertices at least that make up for a change of thread
-        std::vector<char> moved((vertices.size() + piece - 1) / piece, 0);
-        options_.run(moved.size(), [&](std::size_t i) {
-            const std::size_t last = std::min(vertices.size(), (i + 1) * piece);
-            for (std::size_t k = i * piece; k < last; ++k)
-                moved[i] |= move(vertices[k]);
-        });
-        return std::find(moved.begin(), moved.end(), 1) != moved.end();
-    }
-
     // Smallest determinant in the star over the wanted area.
     double least_determinant(const TangentStar &star) const {
         double least = std::numeric_limits<double>::infinity();
@@ -240,8 +201,8 @@ private:
             return;
         star.lay(problem_, drape_, v);
         const double least = least_determinant(star);
-        if (least > 0 && sharpen(star.sectors, star.points, 0, floor,
-                                 options_.least_area * problem_.area[at(sectors[0].quad)]) > 0)
+        if (least > 0 && geometry::sharpen(star.sectors, star.points, 0, floor,
+                                           options_.least_area * problem_.area[at(sectors[0].quad)]) > 0)
             land(v, star, least);
     }
 
@@ -273,7 +234,7 @@ private:
     double worst_around(int v) const {
         double worst = 1;
         for (const Sector &s : problem_.stars.at(v))
-            worst = std::min(worst, corners_of(problem_.quads[at(s.quad)], drape_).sine);
+            worst = std::min(worst, sine_of(problem_.quads[at(s.quad)], drape_));
         return worst;
     }
 
@@ -304,7 +265,7 @@ std::vector<double> scaled_jacobians(Quads quads, const Drape &drape) {
     std::vector<double> result;
     result.reserve(quads.size());
     for (const auto &quad : quads)
-        result.push_back(std::min(corners_of(quad, drape).sine, sine_against(quad, drape, normals)));
+        result.push_back(std::min(sine_of(quad, drape), sine_against(quad, drape, normals)));
     return result;
 }
 
@@ -312,18 +273,26 @@ Judgement judge(Quads quads, const Drape &drape) {
     Judgement result;
     if (quads.empty())
         return result;
-    result = {std::numeric_limits<double>::infinity(), 1, 1, 0, false};
+    result = {std::numeric_limits<double>::infinity(), 1, 1, 0, 0, false};
     const std::vector<Vector3d> normals = vertex_normals(quads, drape);
     for (const auto &quad : quads) {
-        Corners worst = corners_of(quad, drape);
-        worst.sine = std::min(worst.sine, sine_against(quad, drape, normals));
-        if (!(worst.determinant >= result.min_determinant))
-            result.min_determinant = worst.determinant;
-        if (!(worst.sine >= result.min_scaled_jacobian))
-            result.min_scaled_jacobian = worst.sine;
-        if (!(worst.shape >= result.min_shape))
-            result.min_shape = worst.shape;
-        result.poor += !(worst.sine >= acceptable_sine && worst.shape >= acceptable_shape);
+        const Corners corners(quad, drape);
+        const double sine = std::min(corners.sine(), sine_against(quad, drape, normals));
+        double shape = 1;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double d = corners.determinant(k);
+            const double squares = corners.square[(k + 3) % 4] + corners.square[k];
+            if (!(d >= result.min_determinant))
+                result.min_determinant = d;
+            if (const double s = squares > 0 ? 2 * d / squares : 0; !(s >= shape))
+                shape = s;
+        }
+        if (!(sine >= result.min_scaled_jacobian))
+            result.min_scaled_jacobian = sine;
+        if (!(shape >= result.min_shape))
+            result.min_shape = shape;
+        result.inverted += !(sine > 0);
+        result.poor += !acceptable(sine, shape);
     }
     result.valid = result.min_determinant > 0 && result.min_scaled_jacobian > 0;
     return result;
@@ -333,10 +302,7 @@ Judgement improve(const surface::Surface &surface, Quads quads, std::span<const 
                   const EmbedOptions &options) {
     double area = 0;
     for (const auto &q : quads)
-        area += (drape.points[at(q[2])] - drape.points[at(q[0])])
-                    .cross(drape.points[at(q[3])] - drape.points[at(q[1])])
-                    .norm() /
-                2;
+        area += area_vector(q, drape).norm();
     if (!(area > 0) || !std::isfinite(area))
         return judge(quads, drape);
     std::vector<double> wanted(options.area.begin(), options.area.end());
@@ -344,8 +310,8 @@ Judgement improve(const surface::Surface &surface, Quads quads, std::span<const 
     const Stars stars(quads, static_cast<int>(drape.points.size()));
     const Problem problem{quads, stars, fixed, wanted};
     Mover mover(surface, problem, drape, options);
-    mover.sweep();
-    mover.sharpen_worst();
+    mover.sweep_all();
+    mover.sharpen();
     return judge(quads, drape);
 }
 

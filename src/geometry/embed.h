@@ -26,16 +26,18 @@ struct Embedding : Judgement {
     int stuck = -1;   // where it is not valid: the quad that resisted most, if few did
 };
 
+// Runs work(0) .. work(n - 1), perhaps at the same time.
+using Run = std::function<void(std::size_t n, const std::function<void(std::size_t)> &work)>;
+
 struct EmbedOptions {
     int steps = 20;                    // sweeps of shape optimisation after untangling
     int untangle_sweeps = 200;         // give up afterwards
     bool patient = true;               // false: untangle only what comes right soon
     double least_area = 0.005;         // of a corner, over the wanted one, that the smallest angles may cost
-    double good_enough = 0;            // stop optimising once min scaled Jacobian is at least this; 0: never
     std::span<const double> area = {}; // improve: [quad] wanted; empty: all equal
-    // improve: runs work(0) .. work(n - 1), perhaps at the same time. With it, vertices move in classes
-    // that do not touch; the result does not depend on how it does that.
-    std::function<void(std::size_t n, const std::function<void(std::size_t)> &work)> run = {};
+    // improve: with it, vertices move in classes that do not touch; the result does not depend on how it
+    // runs them.
+    Run run = {};
 };
 
 // Tutte start -> move the loop to its place -> untangle (Garanzha et al. 2021) ->

@@ -5,22 +5,17 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/colour.h"
 #include "geometry/newton.h"
+#include "geometry/sweep.h"
 #include "geometry/untangle.h"
 
 namespace alphamst::geometry {
 
 namespace {
 
-constexpr double still = 1e-2;         // a vertex rests when it moves less, in wanted edge lengths
-constexpr double softest = 0.2;        // first epsilon at corners that are hardly positive
 constexpr double least_square = 1e-12; // of the scaled Jacobian, while softened
 constexpr double squeezed_below = 0.1;
 constexpr std::size_t most_together = 60; // of more vertices at once none was seen to gain
-constexpr double poor_band = 0.15;        // corners up to this above the worst are sharpened with it
-constexpr double least_gain = 2e-3;       // of the smallest scaled Jacobian in a round of sharpening
-constexpr int sharpen_sweeps = 3;         // in a round
 
 // Smallest over the corners of a quad.
 struct Worst {
@@ -45,15 +40,6 @@ Worst worst_of(const Problem &problem, std::size_t q, const Points &points, bool
         worst.scaled_jacobian = std::min(worst.scaled_jacobian, lengths > 0 ? d / std::sqrt(lengths) : 0.0);
     }
     return worst;
-}
-
-bool good_enough(const Problem &problem, const Points &points, double wanted) {
-    if (!(wanted > 0))
-        return false;
-    for (std::size_t q = 0; q < problem.quads.size(); ++q)
-        if (worst_of(problem, q, points, false).scaled_jacobian < wanted)
-            return false;
-    return true;
 }
 
 // Vertices that still move, moved one by one.
@@ -122,38 +108,16 @@ private:
     std::vector<std::size_t> tight_quads_; // only those that were tight at the start
 };
 
-// Whether any of the vertices moved far.
-bool move_class(BarrierSweep &sweep, const std::vector<int> &vertices, const EmbedOptions &options) {
-    constexpr std::size_t piece = 256; // vertices at least that make up for a change of thread
-    std::vector<char> moved((vertices.size() + piece - 1) / piece, 0);
-    options.run(moved.size(), [&](std::size_t i) {
-        const std::size_t last = std::min(vertices.size(), (i + 1) * piece);
-        for (std::size_t k = i * piece; k < last; ++k)
-            moved[i] |= sweep.move(vertices[k]);
-    });
-    return std::find(moved.begin(), moved.end(), 1) != moved.end();
-}
-
-// False if it stopped because the result is good enough.
-bool sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
-    BarrierSweep sweep(problem, points, floor);
+void sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
+    BarrierSweep barrier(problem, points, floor);
     std::vector<std::vector<int>> classes;
     if (options.run)
         classes = colour(problem);
     for (int step = 0; step < options.steps; ++step) {
-        if (good_enough(problem, points, options.good_enough))
-            return false;
-        sweep.soften(softest * std::pow(0.5, step));
-        bool moved = false;
-        for (const auto &vertices : classes)
-            moved |= move_class(sweep, vertices, options);
-        if (!options.run)
-            for (int v = 0; v < static_cast<int>(points.size()); ++v)
-                moved |= sweep.move(v);
-        if (!moved)
+        barrier.soften(softest * std::pow(0.5, step));
+        if (!sweep(static_cast<int>(points.size()), classes, options, [&](int v) { return barrier.move(v); }))
             break;
     }
-    return !good_enough(problem, points, options.good_enough);
 }
 
 // Corners squeezed between vertices that only move together: Newton's method on a region.
@@ -181,44 +145,19 @@ void open_squeezed(const Problem &problem, Points &points, Floor floor) {
     points = std::move(other);
 }
 
-void sharpen_worst(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
-    std::vector<char> member(points.size(), 0);
-    std::vector<int> around;
-    std::vector<double> quality(problem.quads.size());
-    double before = -1;
-    for (int round = 0; round < options.steps; ++round) {
-        double worst = 1;
-        for (std::size_t q = 0; q < quality.size(); ++q)
-            worst = std::min(worst, quality[q] = worst_of(problem, q, points, true).scaled_jacobian);
-        if (!(worst > 0) || worst < before + least_gain || good_enough(problem, points, options.good_enough))
-            return;
-        before = worst;
-        for (const int v : around)
-            member[static_cast<std::size_t>(v)] = 0;
-        around.clear();
-        for (std::size_t q = 0; q < quality.size(); ++q)
-            if (quality[q] < worst + poor_band)
-                for (const int v : problem.quads[q])
-                    if (const auto i = static_cast<std::size_t>(v); !problem.fixed[i] && !member[i]) {
-                        member[i] = 1;
-                        around.push_back(v);
-                    }
-        grow(problem.stars, problem.fixed, 1, around, member);
-        for (int sweep = 0; sweep < sharpen_sweeps; ++sweep)
-            for (const int v : around)
-                if (const auto star = problem.stars.at(v); !star.empty())
-                    sharpen(star, points, v, std::max(floor, worst * worst),
-                            options.least_area * problem.area[static_cast<std::size_t>(star[0].quad)]);
-    }
-}
-
 } // namespace
 
 void optimise(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
-    if (!sweep_barrier(problem, points, options, floor))
-        return;
+    sweep_barrier(problem, points, options, floor);
     open_squeezed(problem, points, floor);
-    sharpen_worst(problem, points, options, floor);
+    sharpen_worst(
+        problem, options.steps,
+        [&](std::size_t q) { return worst_of(problem, q, points, true).scaled_jacobian; },
+        [&](int v, double least) {
+            if (const auto star = problem.stars.at(v); !star.empty())
+                sharpen(star, points, v, std::max(floor, least),
+                        options.least_area * problem.area[static_cast<std::size_t>(star[0].quad)]);
+        });
 }
 
 Embedding improve(Quads quads, std::span<const char> fixed, Points positions, const EmbedOptions &options) {

@@ -6,13 +6,6 @@
 
 namespace alphamst::geometry {
 
-namespace {
-
-// Verdict's ranges for the smallest angle and the shape.
-constexpr double acceptable_sine = 0.70710678, acceptable_shape = 0.3;
-
-} // namespace
-
 Judgement shapes_of(Quads quads, const Points &positions) {
     Judgement result;
     double determinant = std::numeric_limits<double>::infinity(), jacobian = 1, shape = 1;
@@ -41,7 +34,8 @@ Judgement shapes_of(Quads quads, const Points &positions) {
             shape = worst;
         if (!(sine >= jacobian))
             jacobian = sine;
-        result.poor += !(sine >= acceptable_sine && worst >= acceptable_shape);
+        result.inverted += !(sine > 0);
+        result.poor += !acceptable(sine, worst);
     }
     result.valid = determinant > 0 && jacobian > 0;
     result.min_determinant = quads.empty() ? 0 : determinant;

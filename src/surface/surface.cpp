@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 #include <cmath>
 #include <cstdint>
@@ -13,23 +11,18 @@
 #include <utility>
 
 #include "failure.h"
+#include "surface/boxes.h"
 #include "surface/triangle.h"
 
 namespace alphamst::surface {
 namespace {
 
-namespace index = boost::geometry::index;
 using Eigen::Vector3d;
-using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using Box = boost::geometry::model::box<Point>;
-using Entry = std::pair<Box, int>;
-using RTree = index::rtree<Entry, index::rstar<16>>;
 
 const double cos_crease = std::cos(40 * std::numbers::pi / 180);
 const double cos_agreement = std::cos(75 * std::numbers::pi / 180);
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-Point corner(const Vector3d &p) { return {p.x(), p.y(), p.z()}; }
 
 // The member that stands for the set of i.
 std::size_t root(std::vector<std::size_t> &parent, std::size_t i) {
@@ -41,7 +34,7 @@ std::size_t root(std::vector<std::size_t> &parent, std::size_t i) {
 } // namespace
 
 struct Surface::Tree {
-    RTree boxes;
+    BoxTree boxes;
 };
 
 // The nearest place of one triangle.
@@ -60,14 +53,13 @@ Surface::Surface(std::vector<Vector3d> points, std::vector<std::array<int, 3>> t
     check();
     link();
     find_normals();
-    std::vector<Entry> entries;
+    std::vector<BoxEntry> entries;
     entries.reserve(triangles_.size());
     for (const auto &[a, b, c] : triangles_) {
-        const Vector3d &p = points_[at(a)], &q = points_[at(b)], &r = points_[at(c)];
-        entries.emplace_back(Box(corner(p.cwiseMin(q).cwiseMin(r)), corner(p.cwiseMax(q).cwiseMax(r))),
-                             static_cast<int>(entries.size()));
+        const std::array corners{points_[at(a)], points_[at(b)], points_[at(c)]};
+        entries.emplace_back(box_of(corners), static_cast<int>(entries.size()));
     }
-    tree_.reset(new Tree{RTree(entries)});
+    tree_.reset(new Tree{BoxTree(entries)});
 }
 
 Surface::~Surface() = default;
@@ -223,10 +215,10 @@ Spot Surface::spot(const Vector3d &p, const Near &near) const {
 // The nearest of the triangles that are accepted; triangle -1 if none is. The triangle of the nearest
 // box, and where one comes from there, bound the distance; what is within it decides.
 template <class Accept> Surface::Near Surface::search(const Vector3d &p, const Accept &accept) const {
-    const Point asked = corner(p);
-    const auto accepted = index::satisfies([&](const Entry &entry) { return accept(entry.second); });
+    const BoxCorner asked = box_corner(p);
+    const auto accepted = index::satisfies([&](const BoxEntry &entry) { return accept(entry.second); });
     Near best;
-    const auto begin = [&](const Entry &entry) { best = near(p, entry.second); };
+    const auto begin = [&](const BoxEntry &entry) { best = near(p, entry.second); };
     tree_->boxes.query(index::nearest(asked, 1) && accepted, boost::make_function_output_iterator(begin));
     if (best.triangle < 0)
         return best;
@@ -234,14 +226,14 @@ template <class Accept> Surface::Near Surface::search(const Vector3d &p, const A
         best = way;
     // A little further, so that rounding hides no tie.
     const double bound = best.place.squared * (1 + 1e-12);
-    const auto improve = [&](const Entry &entry) {
+    const auto improve = [&](const BoxEntry &entry) {
         if (boost::geometry::comparable_distance(asked, entry.first) > bound || !accept(entry.second))
             return;
         if (const Near next = near(p, entry.second); next.before(best))
             best = next;
     };
     const Vector3d reach = Vector3d::Constant(std::sqrt(bound));
-    tree_->boxes.query(index::intersects(Box(corner(p - reach), corner(p + reach))),
+    tree_->boxes.query(index::intersects(Box(box_corner(p - reach), box_corner(p + reach))),
                        boost::make_function_output_iterator(improve));
     return best;
 }

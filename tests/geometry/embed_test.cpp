@@ -230,16 +230,6 @@ TEST(Embed, RefusesLoopsWithoutAValidEmbedding) {
     EXPECT_TRUE(embedded(d, square).valid);
 }
 
-TEST(Embed, StopsWhenGoodEnough) {
-    const Disk d = disk(surround(grid(5, 5), 4));
-    const Points loop = star(d.boundary, 0);
-    EmbedOptions low;
-    low.good_enough = 0.3;
-    const Embedding some = embedded(d, loop, low), all = embedded(d, loop);
-    EXPECT_GE(some.min_scaled_jacobian, 0.3);
-    EXPECT_GT(all.min_scaled_jacobian, some.min_scaled_jacobian);
-}
-
 TEST(EmbedOnCircle, EveryFaceIsConvexAndEveryFreeVertexIsAMean) {
     const Disk d = disk(surround(grid(4, 3), 2));
     const Points loop = star(d.boundary, 0.4);
