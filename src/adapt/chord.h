@@ -21,9 +21,13 @@ Outcome split_chord(mesh::QuadMesh &mesh, int edge, int copies, std::int64_t mos
 std::vector<Outcome> insert_chords(mesh::QuadMesh &mesh, std::vector<Region> &patches, int n,
                                    const Settings &settings, const Progress &progress);
 
-// The whole mesh by chords alone: removes chords, the shortest first, or splits chords that touch no
-// boundary, the longest that fit first, towards round(alpha * faces), which it never passes. Smooths once,
-// at the end. No element turns over.
+// Removes chords, the shortest first, or splits chords that touch no boundary, the widest that fit first,
+// towards the wanted number of faces, which it never passes. Vertices are left where that puts them.
+void approach_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules,
+                        const Progress &progress);
+
+// The whole mesh by chords alone, and smoothed once, at the end: towards round(alpha * faces). No element
+// turns over.
 Outcome adapt_chords(mesh::QuadMesh &mesh, double alpha, std::int64_t most_faces, const chord::Rules &rules,
                      const Settings &settings, const Progress &progress);
 

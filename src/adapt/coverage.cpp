@@ -105,6 +105,18 @@ std::optional<std::vector<Coverage::Owner>> Coverage::cover(std::span<const int>
     return owners;
 }
 
+Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, std::int64_t wanted) {
+    constexpr double tolerance = 0.6;  // of a wanted edge
+    constexpr std::size_t samples = 5; // for each wanted face
+    const double edge = std::sqrt(surface.area() / static_cast<double>(std::max<std::int64_t>(1, wanted)));
+    return Coverage(surface, mesh, samples * static_cast<std::size_t>(wanted), tolerance * edge);
+}
+
+bool Coverage::complete() const {
+    return std::all_of(distance_.begin(), distance_.end(),
+                       [this](float distance) { return static_cast<double>(distance) <= tolerance_; });
+}
+
 void Coverage::assign(std::span<const int> faces, std::span<const Owner> owners,
                       std::span<const int> of_quad) {
     for (const int f : faces)

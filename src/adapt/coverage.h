@@ -42,6 +42,9 @@ public:
         samples_[static_cast<std::size_t>(to)] = std::move(samples_[static_cast<std::size_t>(from)]);
     }
 
+    // No sample is farther than the tolerance.
+    bool complete() const;
+
     double tolerance() const { return tolerance_; }
     void set_tolerance(double tolerance) { tolerance_ = tolerance; }
     const std::vector<int> &samples(int face) const { return samples_[static_cast<std::size_t>(face)]; }
@@ -60,5 +63,8 @@ private:
     std::vector<std::vector<int>> samples_; // [face]
     double tolerance_;
 };
+
+// For a mesh that is to have so many faces: with a tolerance of 0.6 of their edges.
+Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, std::int64_t wanted);
 
 } // namespace alphamst::adapt

@@ -9,9 +9,9 @@
 namespace alphamst::adapt {
 namespace {
 
-// Curvatures count between these multiples of the mean one: edges are four times as long at most where it
+// Curvatures count between these multiples of the mean one: edges are about four times as long where it
 // is flat.
-constexpr double flat = 0.25, sharp = 8;
+constexpr double flat = 0.1, sharp = 8;
 
 } // namespace
 

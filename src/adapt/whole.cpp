@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "adapt/adapt.h"
+#include "adapt/begin.h"
 #include "adapt/density.h"
 #include "adapt/relax.h"
 #include "adapt/sweep.h"
@@ -21,12 +22,12 @@ constexpr double best_quality = 0.5, least_quality = 0.3, least_shape = 0.1;
 constexpr double poor_price = 5; // quads that may become poor for one singularity less
 
 constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
-constexpr double most_misshapen = 100;             // poor quads that a better worst one may cost
-constexpr int large = 160, large_on_surface = 100; // there larger windows seldom fit a chart
+constexpr double most_misshapen = 100; // poor quads that a better worst one may cost
+constexpr int large = 160, large_on_surface = 100;
 constexpr int most_of_mesh = 12;    // larger windows than such a part of the mesh hardly ever come right
 constexpr int repeats = 3;          // with windows of one size
+constexpr int more = 3;             // rounds with large windows on a surface
 constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
-constexpr double tolerance = 0.6;   // of the distance to the surface, in wanted edge lengths
 constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
 constexpr double far = 0.1;         // of the wanted faces; fewer that are missing are left to the count
 
@@ -63,32 +64,26 @@ double working_quality(const mesh::QuadMesh &mesh, const Ground &ground) {
     return std::clamp(0.75 * *nth, least_quality, best_quality);
 }
 
-// Faces that each face is to become, in all round(alpha * faces).
-std::vector<double> shares(const mesh::QuadMesh &mesh, const std::optional<Density> &density, double alpha) {
+// Faces that each face is to become.
+std::vector<double> shares(const mesh::QuadMesh &mesh, const std::optional<Density> &density,
+                           std::int64_t wanted) {
     const auto faces = static_cast<std::size_t>(mesh.n_faces());
     std::vector<int> all(faces);
     std::iota(all.begin(), all.end(), 0);
     std::vector<double> share = density ? density->weights(mesh, all) : std::vector<double>(faces, 1);
     const double sum = std::accumulate(share.begin(), share.end(), 0.0);
-    const auto total = static_cast<double>(wanted_faces(alpha, faces));
     for (double &s : share)
-        s *= total / sum;
+        s *= static_cast<double>(wanted) / sum;
     return share;
-}
-
-Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, std::int64_t wanted) {
-    constexpr std::size_t samples = 5; // for each wanted face
-    const double edge = std::sqrt(surface.area() / static_cast<double>(std::max<std::int64_t>(1, wanted)));
-    return Coverage(surface, mesh, samples * static_cast<std::size_t>(wanted), tolerance * edge);
 }
 
 class Whole {
 public:
-    Whole(mesh::QuadMesh &mesh, Ground &ground, double alpha, const Settings &settings,
+    Whole(mesh::QuadMesh &mesh, Ground &ground, std::int64_t wanted, const Settings &settings,
           const Progress &progress)
         : mesh_(mesh), ground_(ground), settings_(hasty(settings)), progress_(progress),
-          density_(Density::of(mesh, ground, wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces())))),
-          sweep_(mesh, ground, shares(mesh, density_, alpha), density_, settings_),
+          density_(Density::of(mesh, ground, wanted)),
+          sweep_(mesh, ground, shares(mesh, density_, wanted), density_, settings_),
           quality_(std::max(working_quality(mesh, ground), settings.min_quality)),
           near_(ground.coverage ? ground.coverage->tolerance() : 0) {}
 
@@ -109,7 +104,9 @@ public:
     }
 
     // Windows grow; what a filling strains spreads far beyond its window, so all is relaxed between.
-    void reduce(int smallest) {
+    // True if some was saved.
+    bool reduce(int smallest) {
+        const int start = sweep_.singular();
         const double part = 0.8 / static_cast<double>(sizes.size());
         int idle = 0; // sizes in a row that saved little
         for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -130,9 +127,10 @@ public:
             if (sweep_.singular() < before)
                 relax(mesh_, ground_, density_, settings_);
             idle = before - sweep_.singular() < worthwhile * before ? idle + 1 : 0;
-            if (sizes[i] >= (ground_.surface ? large_on_surface : large) && idle > 1)
+            if (sizes[i] >= large_enough() && idle > 1)
                 break;
         }
+        return sweep_.singular() < start;
     }
 
     // Far from the wanted count every part of the mesh takes its share of the way, and more may be lost
@@ -212,6 +210,12 @@ public:
     }
 
 private:
+    // Windows of this size or more that save little twice end the search. On a small surface larger ones
+    // seldom fit a chart.
+    int large_enough() const {
+        return ground_.surface ? std::clamp(mesh_.n_faces() / 40, large_on_surface, large) : large;
+    }
+
     int largest() const { return std::max(large, mesh_.n_faces() / most_of_mesh); }
 
     bool is_far() const {
@@ -246,16 +250,17 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
     outcome.faces_wanted = wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces()));
     if (mesh.n_faces() == 0)
         return outcome;
-    Ground ground = ground_of(mesh);
-    if (ground.surface)
-        ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted);
-    const auto describe = [&](auto &valences, std::int64_t &singular, double &quality) {
+    const auto describe = [&](const Ground &ground, auto &valences, std::int64_t &singular, double &quality) {
         count(mesh, valences, singular);
         const std::vector<double> each = ground.scaled_jacobians(mesh);
         quality = *std::min_element(each.begin(), each.end());
     };
-    describe(outcome.valences_before, outcome.singular_before, outcome.quality_before);
-    Whole work(mesh, ground, alpha, settings, progress);
+    describe(ground_of(mesh), outcome.valences_before, outcome.singular_before, outcome.quality_before);
+    begin_with_chords(mesh, outcome.faces_wanted);
+    Ground ground = ground_of(mesh);
+    if (ground.surface)
+        ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted);
+    Whole work(mesh, ground, outcome.faces_wanted, settings, progress);
     work.spread();
     work.reduce(0);
     if (ground.surface)
@@ -264,15 +269,13 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
         work.reduce(60);
         work.count();
     }
-    if (ground.surface) {
-        work.reduce(60);
+    for (int k = 0; ground.surface && k < more && work.reduce(large); ++k)
         if (exact)
             work.count();
-    }
     work.finish();
     work.mend();
     outcome.faces_after = mesh.n_faces();
-    describe(outcome.valences_after, outcome.singular_after, outcome.quality_after);
+    describe(ground, outcome.valences_after, outcome.singular_after, outcome.quality_after);
     if (exact && outcome.faces_after != outcome.faces_wanted)
         outcome.text = "the mesh has " + std::to_string(outcome.faces_after) + " faces where " +
                        std::to_string(outcome.faces_wanted) +

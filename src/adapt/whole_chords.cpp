@@ -157,20 +157,30 @@ void remove_chords(mesh::QuadMesh &mesh, std::int64_t least_faces, const chord::
     }
 }
 
-// The longest closed chord that fits goes first; it is split no more than once more than others.
+// Mean of its edges.
+double width_of(const mesh::QuadMesh &mesh, const chord::Chord &chord) {
+    double sum = 0;
+    for (const int side : chord.sides) {
+        const auto ends = mesh.edge_vertices(side / 2);
+        sum += (point_of(mesh, ends[1]) - point_of(mesh, ends[0])).norm();
+    }
+    return sum / static_cast<double>(chord.sides.size());
+}
+
+// The widest closed chord that fits goes first; it is split no more than once more than others.
 void split_chords(mesh::QuadMesh &mesh, std::int64_t most_faces, const chord::Rules &rules,
                   const Progress &progress) {
     const double start = mesh.n_faces();
     for (bool changed = true; changed;) {
         changed = false;
-        std::vector<std::pair<std::int64_t, int>> fitting; // faces, edge
+        std::vector<std::pair<double, int>> fitting; // width, edge
         for (const int edge : chord::label(mesh).first) {
             const chord::Chord chord = chord::trace(mesh, edge);
             if (chord::judge_split(mesh, chord, rules).reasons == 0)
-                fitting.push_back({chord::faces_added(chord, 1), edge});
+                fitting.push_back({width_of(mesh, chord), edge});
         }
         std::sort(fitting.begin(), fitting.end(), std::greater<>());
-        for (const auto &[before, edge] : fitting) {
+        for (const auto &[width, edge] : fitting) {
             const chord::Chord chord = chord::trace(mesh, edge); // longer, if one that it crosses was split
             if (mesh.n_faces() + chord::faces_added(chord, 1) > most_faces)
                 continue;
@@ -196,17 +206,23 @@ void smooth_or_leave(mesh::QuadMesh &mesh, const Settings &settings) {
 
 } // namespace
 
+void approach_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules,
+                        const Progress &progress) {
+    if (wanted > mesh.n_faces()) {
+        split_chords(mesh, wanted, rules, progress);
+    } else {
+        std::vector<int> all(at(mesh.n_faces()));
+        std::iota(all.begin(), all.end(), 0);
+        remove_chords(mesh, wanted, rules, plane_of(mesh, all), progress);
+    }
+}
+
 Outcome adapt_chords(mesh::QuadMesh &mesh, double alpha, std::int64_t most_faces, const chord::Rules &rules,
                      const Settings &settings, const Progress &progress) {
     Account account(mesh);
     const std::int64_t wanted = wanted_faces(alpha, at(mesh.n_faces()));
     keep_surface(mesh);
-    std::vector<int> all(at(mesh.n_faces()));
-    std::iota(all.begin(), all.end(), 0);
-    if (wanted < mesh.n_faces())
-        remove_chords(mesh, wanted, rules, plane_of(mesh, all), progress);
-    else
-        split_chords(mesh, std::min(wanted, most_faces), rules, progress);
+    approach_by_chords(mesh, std::min(wanted, most_faces), rules, progress);
     progress(0.9, "smooth");
     smooth_or_leave(mesh, settings);
     progress(1, "smooth");
