@@ -19,7 +19,7 @@ namespace {
 
 // Smallest scaled Jacobian that windows keep, by what the mesh has; and smallest shape.
 constexpr double best_quality = 0.5, least_quality = 0.3, least_shape = 0.1;
-constexpr double poor_price = 5; // quads that may become poor for one singularity less
+constexpr double poor_price = 3; // quads that may become poor for one singularity less
 
 constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
 constexpr double most_misshapen = 100; // poor quads that a better worst one may cost
