@@ -1,4 +1,4 @@
-# Rust and Julia, ends of handles under valgrind, and the six examples, which print the same in
+# Rust and Julia, ends of handles under valgrind, and the examples, which print the same in
 # every language.
 
 # -------------------------------------------------------------------- Rust
@@ -62,10 +62,12 @@ function(add_example_test language name)
         COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/example/same.sh" $<TARGET_FILE:example_${name}> "${input}" ${ARGN})
     set_tests_properties(example.${language}.${name} PROPERTIES LABELS example TIMEOUT 300)
 endfunction()
-foreach(name improve front simplify corners undo chords)
+foreach(name improve front simplify corners undo chords surface)
     set(input "${small}")
     if(name STREQUAL chords)
         set(input "${plate}")
+    elseif(name STREQUAL surface)
+        set(input 0.5)
     endif()
     add_test(NAME example.c.${name} COMMAND example_${name} "${input}")
     set_tests_properties(example.c.${name} PROPERTIES LABELS example TIMEOUT 300)

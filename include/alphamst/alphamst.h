@@ -220,9 +220,11 @@ enum amst_option {
     AMST_OPT_QUADRANGULATE = 5,    /* int, 0: triangles 0 are paired, 1 every face is split */
     AMST_OPT_EDIT_BOUNDARY = 6,    /* int 0/1, 0: chords that end on the boundary may be changed */
     AMST_OPT_STRATEGY = 7,         /* int, 0: amst_adapt of a whole mesh by windows, 1 by chords alone */
+    AMST_OPT_ALIGN = 8,            /* int 0/1, 0: edges of a whole curved mesh turn to its cross field */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
+    AMST_OPT_TOLERANCE = 1003,     /* real, 0.5: farthest from the surface, in wanted edges, 0.01..100 */
     AMST_OPTION_MAX = 0x7fffffff
 };
 
@@ -365,8 +367,8 @@ AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const a
                                     amst_mesh **out);
 /* The same formats without .su2 (.msh is Gmsh 2.2), and .svg, a picture with the
  * singularities marked and, if there is an edge field "chord", with a line through each face
- * between opposite edges of equal value, whose colour the value chooses. A failure leaves no half-written
- * file. Errors: IO, UNSUPPORTED (extension). */
+ * between opposite edges of equal value, whose colour the value chooses. A curved mesh is shaded, and what lies
+ * behind it is left out. A failure leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, fields and revision, without savepoints. */
 AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
@@ -592,8 +594,10 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * shortest first, or split instead, which makes no vertex singular, until no other one
  * can go without passing that number. Same mesh, options and seed, same result, on any
  * number of threads. On a curved mesh vertices keep to its surface, see
- * amst_mesh_set_surface, the surface stays within 0.6 wanted edge lengths of the mesh,
- * but for the last faces of the count, and faces are denser where it bends more.
+ * amst_mesh_set_surface, surface and mesh stay within AMST_OPT_TOLERANCE wanted edge
+ * lengths of each other, but for the last faces of the count, and faces are denser where
+ * it bends more. With AMST_OPT_ALIGN its edges turn at last towards the face field "cross"
+ * or, without one, towards what amst_mesh_compute_cross_field would give.
  * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);

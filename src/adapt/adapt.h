@@ -26,6 +26,8 @@ struct Settings {
     int candidates = 16;            // fillings to try in a patch before it is left
     std::int64_t node_limit = 1000; // effort of one exact search
     double min_quality = 0;         // a filling must have a larger scaled Jacobian
+    double tolerance = 0.5;         // of the distance to the surface both ways, in wanted edges
+    bool align = false;             // whole curved meshes: edges along the cross field
     int threads = 1;                // 0: all cores
 };
 

@@ -3,12 +3,13 @@
 
 #include <cstdint>
 
-#include "mesh/quad_mesh.h"
+#include "adapt/adapt.h"
 
 namespace alphamst::adapt {
 
-// A curved mesh that is nearly regular comes nearer to the wanted number of faces by whole chords, as they
-// make no vertex singular. Left to the windows is what would uncover the surface or turn a quad over.
-void begin_with_chords(mesh::QuadMesh &mesh, std::int64_t wanted);
+// A curved mesh that is nearly regular comes nearer to a larger number of faces by whole chords, as they
+// make no vertex singular. Left to the windows is what would uncover the surface or turn a quad over, and
+// a mesh with a field "size", as chords know nothing of sizes.
+void begin_with_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const Settings &settings);
 
 } // namespace alphamst::adapt

@@ -105,11 +105,11 @@ std::optional<std::vector<Coverage::Owner>> Coverage::cover(std::span<const int>
     return owners;
 }
 
-Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, std::int64_t wanted) {
-    constexpr double tolerance = 0.6;  // of a wanted edge
+Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, std::int64_t wanted,
+                     double edges) {
     constexpr std::size_t samples = 5; // for each wanted face
     const double edge = std::sqrt(surface.area() / static_cast<double>(std::max<std::int64_t>(1, wanted)));
-    return Coverage(surface, mesh, samples * static_cast<std::size_t>(wanted), tolerance * edge);
+    return Coverage(surface, mesh, samples * static_cast<std::size_t>(wanted), edges * edge);
 }
 
 bool Coverage::complete() const {

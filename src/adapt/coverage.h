@@ -29,7 +29,7 @@ public:
         float distance;
     };
     // Nothing if some sample would be farther from all quads than it may be; unless `missed` is given:
-    // then it gets the faces with such samples, and the rest is in the answer.
+    // then it gets the faces with such samples, and the answer is of use only if there are none.
     std::optional<std::vector<Owner>> cover(std::span<const int> faces, std::span<const Quad> quads,
                                             std::vector<int> *missed = nullptr,
                                             const geometry::Run &run = {}) const;
@@ -64,7 +64,8 @@ private:
     double tolerance_;
 };
 
-// For a mesh that is to have so many faces: with a tolerance of 0.6 of their edges.
-Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, std::int64_t wanted);
+// For a mesh that is to have so many faces; the tolerance is one of their edges times `edges`.
+Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, std::int64_t wanted,
+                     double edges);
 
 } // namespace alphamst::adapt

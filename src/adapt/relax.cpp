@@ -117,30 +117,41 @@ void relax_draped(mesh::QuadMesh &mesh, Ground &ground, std::span<const char> fi
     const geometry::Drape start = ground.drape(mesh);
     geometry::Drape drape = start;
     geometry::improve(*ground.surface, mesh.faces(), fixed, drape, options);
+    settle(mesh, ground, start, drape, options.run);
+}
+
+} // namespace
+
+std::vector<char> immovable(const mesh::QuadMesh &mesh) {
+    std::vector<char> fixed;
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        fixed.push_back(mesh.isolated(v) || patch::pinned(mesh, v));
+    return fixed;
+}
+
+bool settle(mesh::QuadMesh &mesh, Ground &ground, const geometry::Drape &start, geometry::Drape &drape,
+            const geometry::Run &run) {
     std::vector<Coverage::Owner> owners;
-    if (!keep_good(mesh, ground.coverage, start, drape, owners, options.run))
-        return;
+    if (!keep_good(mesh, ground.coverage, start, drape, owners, run))
+        return false;
     if (ground.coverage) {
         std::vector<int> faces(at(mesh.n_faces()));
         std::iota(faces.begin(), faces.end(), 0);
         ground.coverage->assign(faces, owners, faces);
     }
     for (int v = 0; v < mesh.n_vertices(); ++v) {
-        if (fixed[at(v)])
+        if (drape.points[at(v)] == start.points[at(v)])
             continue;
         const Eigen::Vector3d &p = drape.points[at(v)];
         mesh.set_point(v, {p.x(), p.y(), p.z()});
         ground.anchors[at(v)] = drape.anchors[at(v)];
     }
+    return true;
 }
-
-} // namespace
 
 void relax(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &density,
            const Settings &settings) {
-    std::vector<char> fixed;
-    for (int v = 0; v < mesh.n_vertices(); ++v)
-        fixed.push_back(mesh.isolated(v) || patch::pinned(mesh, v));
+    const std::vector<char> fixed = immovable(mesh);
     const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
     geometry::EmbedOptions options = shaping(settings);
     options.area = area;

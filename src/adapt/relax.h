@@ -12,4 +12,12 @@ namespace alphamst::adapt {
 void relax(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &density,
            const Settings &settings);
 
+// 1 for vertices that nothing may move.
+std::vector<char> immovable(const mesh::QuadMesh &mesh);
+
+// Moves the vertices of a curved mesh from where they are, `start`, to `drape`; where that spoils quads or
+// uncovers the surface they stay. False if all do.
+bool settle(mesh::QuadMesh &mesh, Ground &ground, const geometry::Drape &start, geometry::Drape &drape,
+            const geometry::Run &run);
+
 } // namespace alphamst::adapt

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "adapt/adapt.h"
+#include "adapt/align.h"
 #include "adapt/begin.h"
 #include "adapt/density.h"
 #include "adapt/relax.h"
@@ -79,9 +80,9 @@ std::vector<double> shares(const mesh::QuadMesh &mesh, const std::optional<Densi
 
 class Whole {
 public:
-    Whole(mesh::QuadMesh &mesh, Ground &ground, std::int64_t wanted, const Settings &settings,
-          const Progress &progress)
-        : mesh_(mesh), ground_(ground), settings_(hasty(settings)), progress_(progress),
+    Whole(mesh::QuadMesh &mesh, Ground &ground, std::int64_t wanted, const std::optional<Crosses> &crosses,
+          const Settings &settings, const Progress &progress)
+        : mesh_(mesh), ground_(ground), settings_(hasty(settings)), progress_(progress), crosses_(crosses),
           density_(Density::of(mesh, ground, wanted)),
           sweep_(mesh, ground, shares(mesh, density_, wanted), density_, settings_),
           quality_(std::max(working_quality(mesh, ground), settings.min_quality)),
@@ -206,6 +207,8 @@ public:
     void finish() {
         progress_(0.95, "relax");
         relax(mesh_, ground_, density_, settings_);
+        if (crosses_)
+            align(mesh_, ground_, *crosses_, settings_);
         progress_(1, "relax");
     }
 
@@ -237,6 +240,7 @@ private:
     Ground &ground_;
     const Settings settings_;
     const Progress &progress_;
+    const std::optional<Crosses> &crosses_;
     const std::optional<Density> density_;
     Sweep sweep_;
     const double quality_, near_; // near_: usual tolerance of the distance to the surface
@@ -256,11 +260,14 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
         quality = *std::min_element(each.begin(), each.end());
     };
     describe(ground_of(mesh), outcome.valences_before, outcome.singular_before, outcome.quality_before);
-    begin_with_chords(mesh, outcome.faces_wanted);
+    std::optional<Crosses> crosses;
+    if (settings.align && mesh.surface)
+        crosses.emplace(mesh);
+    begin_with_chords(mesh, outcome.faces_wanted, settings);
     Ground ground = ground_of(mesh);
     if (ground.surface)
-        ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted);
-    Whole work(mesh, ground, outcome.faces_wanted, settings, progress);
+        ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted, settings.tolerance);
+    Whole work(mesh, ground, outcome.faces_wanted, crosses, settings, progress);
     work.spread();
     work.reduce(0);
     if (ground.surface)

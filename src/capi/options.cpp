@@ -28,6 +28,7 @@ constexpr Knob<std::int64_t> integers[] = {
     {AMST_OPT_QUADRANGULATE, "AMST_OPT_QUADRANGULATE", &Options::quadrangulate, 0, 1},
     {AMST_OPT_EDIT_BOUNDARY, "AMST_OPT_EDIT_BOUNDARY", &Options::edit_boundary, 0, 1},
     {AMST_OPT_STRATEGY, "AMST_OPT_STRATEGY", &Options::strategy, 0, 1},
+    {AMST_OPT_ALIGN, "AMST_OPT_ALIGN", &Options::align, 0, 1},
 };
 
 constexpr Knob<double> reals[] = {
@@ -35,6 +36,7 @@ constexpr Knob<double> reals[] = {
     {AMST_OPT_MIN_CONVEXITY, "AMST_OPT_MIN_CONVEXITY", &Options::min_convexity, 0, 1},
     {AMST_OPT_PATCH_FACES, "AMST_OPT_PATCH_FACES", &Options::patch_faces, 1,
      std::numeric_limits<amst_id>::max()},
+    {AMST_OPT_TOLERANCE, "AMST_OPT_TOLERANCE", &Options::tolerance, 0.01, 100},
 };
 
 template <typename T, std::size_t n> const Knob<T> &find(const Knob<T> (&knobs)[n], std::int32_t key) {
@@ -74,6 +76,8 @@ adapt::Settings settings_of(const Options &options, int threads) {
     settings.candidates = static_cast<int>(options.candidates);
     settings.node_limit = options.node_limit;
     settings.min_quality = options.min_quality;
+    settings.tolerance = options.tolerance;
+    settings.align = options.align != 0;
     settings.threads = threads;
     return settings;
 }

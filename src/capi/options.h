@@ -19,9 +19,11 @@ struct Options {
     std::int64_t quadrangulate = 0;
     std::int64_t edit_boundary = 0;
     std::int64_t strategy = 0;
+    std::int64_t align = 0;
     double min_quality = 0;
     double min_convexity = 0.6;
     double patch_faces = 100;
+    double tolerance = 0.5;
 };
 
 // Those of the handle, all defaults for NULL.

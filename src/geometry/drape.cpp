@@ -53,8 +53,6 @@ struct Corners {
     }
 };
 
-double sine_of(const std::array<int, 4> &quad, const Drape &drape) { return Corners(quad, drape).sine(); }
-
 // Half the cross product of the diagonals.
 Vector3d area_vector(const std::array<int, 4> &quad, const Drape &drape) {
     return (drape.points[at(quad[2])] - drape.points[at(quad[0])])
@@ -149,7 +147,8 @@ public:
     // Raises the worst corners until the smallest scaled Jacobian no longer rises.
     void sharpen() {
         sharpen_worst(
-            problem_, options_.steps, [this](std::size_t q) { return sine_of(problem_.quads[q], drape_); },
+            problem_, options_.steps,
+            [this](std::size_t q) { return scaled_jacobian(problem_.quads[q], drape_); },
             [this](int v, double floor) { turn(v, floor); });
     }
 
@@ -234,7 +233,7 @@ private:
     double worst_around(int v) const {
         double worst = 1;
         for (const Sector &s : problem_.stars.at(v))
-            worst = std::min(worst, sine_of(problem_.quads[at(s.quad)], drape_));
+            worst = std::min(worst, scaled_jacobian(problem_.quads[at(s.quad)], drape_));
         return worst;
     }
 
@@ -260,17 +259,29 @@ void Drape::put(int vertex, const surface::Spot &spot) {
     anchors[at(vertex)] = spot.triangle;
 }
 
+double scaled_jacobian(const std::array<int, 4> &quad, const Drape &drape) {
+    return Corners(quad, drape).sine();
+}
+
+double total_area(Quads quads, const Drape &drape) {
+    double area = 0;
+    for (const auto &q : quads)
+        area += area_vector(q, drape).norm();
+    return area;
+}
+
 std::vector<double> scaled_jacobians(Quads quads, const Drape &drape) {
     const std::vector<Vector3d> normals = vertex_normals(quads, drape);
     std::vector<double> result;
     result.reserve(quads.size());
     for (const auto &quad : quads)
-        result.push_back(std::min(sine_of(quad, drape), sine_against(quad, drape, normals)));
+        result.push_back(std::min(scaled_jacobian(quad, drape), sine_against(quad, drape, normals)));
     return result;
 }
 
 Judgement judge(Quads quads, const Drape &drape) {
     Judgement result;
+    result.valid = true;
     if (quads.empty())
         return result;
     result = {std::numeric_limits<double>::infinity(), 1, 1, 0, 0, false};
@@ -300,9 +311,7 @@ Judgement judge(Quads quads, const Drape &drape) {
 
 Judgement improve(const surface::Surface &surface, Quads quads, std::span<const char> fixed, Drape &drape,
                   const EmbedOptions &options) {
-    double area = 0;
-    for (const auto &q : quads)
-        area += area_vector(q, drape).norm();
+    const double area = total_area(quads, drape);
     if (!(area > 0) || !std::isfinite(area))
         return judge(quads, drape);
     std::vector<double> wanted(options.area.begin(), options.area.end());

@@ -22,6 +22,8 @@ struct Drape {
 // A corner is positive if it is so against the mean normal of the surface at the four vertices of its
 // quad, against that of the quads there, and against the normal of the quad itself (Verdict's).
 Judgement judge(Quads quads, const Drape &drape);
+double scaled_jacobian(const std::array<int, 4> &quad, const Drape &drape); // not against that of the quads
+double total_area(Quads quads, const Drape &drape);
 // [quad]
 std::vector<double> scaled_jacobians(Quads quads, const Drape &drape);
 

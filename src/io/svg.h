@@ -27,8 +27,8 @@ struct Picture {
 // arrays alone) and no outlines. The picture points to the mesh.
 Picture picture(const Arrays &mesh);
 
-// Seen along z when dim is 2, else along the mean normal (from a corner of the
-// bounding box if there is none, as on a closed surface). Throws Failure io.
+// Seen as project() in io/view.h says. A curved mesh is shaded, and what lies behind its
+// faces is left out; the numbers below the picture are those of all. Throws Failure io.
 void write_svg(const std::string &path, const Picture &picture);
 
 } // namespace alphamst::io

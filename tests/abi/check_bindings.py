@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the bindings with the header, one line for each difference.
 
-fortran     amst_c.f90: functions as gfortran's -fc-prototypes prints them, constants, struct
+fortran     amst_c_*.f90: functions as gfortran's -fc-prototypes prints them, constants, struct
 julia       LibAlphaMST.jl: functions as the @ccall lines say, constants, struct; every
             @cfunction is like a callback of the header
 rust        bindings.rs is what generate.sh makes of the header today
@@ -134,8 +134,9 @@ def fortran_not_in_c(declarations):
 
 
 def fortran(header):
-    raw = FORTRAN / "amst_c.f90"
-    text = source(raw)
+    raw = [FORTRAN / f"amst_c_{part}.f90" for part in ("types", "context", "mesh", "operations")]
+    whole = FORTRAN / "amst_c.f90"  # which uses them
+    text = "\n".join(source(path) for path in raw + [whole])
     bodies = list(fortran_bodies(text))
     references = {bound: fortran_references(declarations) for _, bound, declarations in bodies}
     wrong = [f"{name}: calls {bound}" for name, bound, _ in bodies if name != bound]
@@ -144,10 +145,11 @@ def fortran(header):
     wrong += [f"{kind}: not of one width everywhere"
               for kind in sorted(set(re.findall(r"\bc_(?:int|long|long_long|size_t)\b", text.lower())))]
     with tempfile.TemporaryDirectory() as directory:
-        printed = must_run(["gfortran", "-fc-prototypes", "-fsyntax-only", raw], cwd=directory)
+        printed = must_run(["gfortran", "-fc-prototypes", "-fsyntax-only", *raw], cwd=directory)
     printed = re.sub(r"\bconst |\s*/\*.*?\*/\s*", "", printed)
     found = Interface({}, {}, fortran_constants(text), {}, {})
-    for base, stars, name, arguments in re.findall(r"^(\w+) (\**)(amst_\w+) \((.*)\);$", printed, flags=re.M):
+    for base, stars, name, arguments in re.findall(r"^(\w+) (\**)(amst_\w+) ?\((.*)\);$", printed,
+                                                   flags=re.M):
         base = "void" if (base, stars) == ("void", "") else FORTRAN_TYPES.get(base, base)
         arguments = [fortran_argument(entry, references.get(name, ()))
                      for entry in arguments.split(", ") if entry]
@@ -156,7 +158,7 @@ def fortran(header):
     for members, name in re.findall(r"^typedef struct \w+ \{(.*?)\} (\w+);", printed, flags=re.S | re.M):
         found.structs[name] = [(member, FORTRAN_TYPES.get(base, base))
                                for base, member in re.findall(r"(\w+) (\w+);", members)]
-    idiomatic = set(FORTRAN.rglob("*.f90")) - {raw}
+    idiomatic = set(FORTRAN.rglob("*.f90")) - {*raw, whole}
     return wrong + list(compare(header, found)) + unused(header.functions.keys(), idiomatic)
 
 

@@ -1,8 +1,8 @@
 """Numbers of a mesh, told by a program that is not ours where there is one.
 
 That program is named by ALPHAMST_JUDGE, or is quadstats.py in shared/tools beside the repository.
-It is called as `PROGRAM --json MESH` and uses VTK's Verdict. Without it, or with ALPHAMST_JUDGE
-empty, the numbers are those of our own library."""
+It is called as `PROGRAM --json MESH`, and `--ref INPUT` for distances, and uses VTK's Verdict. Without
+it, or with ALPHAMST_JUDGE empty, the numbers are those of our own library, which tells no distances."""
 import json
 import os
 import pathlib
@@ -17,6 +17,9 @@ METRICS = {"AspectRatio": "aspect ratio", "Condition": "condition", "Distortion"
            "Taper": "taper", "Warpage": "warpage"}
 
 
+OWN = "AlphaMST itself"
+
+
 class Refusal(Exception):
     """The judge tells nothing about a mesh; our own library, say, of one with triangles."""
 
@@ -26,14 +29,17 @@ class Judge:
         named = os.environ.get("ALPHAMST_JUDGE")
         path = BESIDE if named is None and BESIDE.exists() else pathlib.Path(named) if named else None
         if path is None:
-            self.command, self.name = [str(own)], "AlphaMST itself"
+            self.command, self.name = [str(own)], OWN
         elif os.access(path, os.X_OK):
             self.command, self.name = [str(path), "--json"], path.name
         else:
             self.command, self.name = [sys.executable, str(path), "--json"], path.name
 
-    def numbers(self, mesh):
-        done = subprocess.run([*self.command, str(mesh)], text=True, capture_output=True, check=False)
+    def numbers(self, mesh, reference=None):
+        """With a reference mesh also d_max, d_rms, the largest and the root mean square distance of this
+        mesh to it over its diagonal, and dr_max, dr_rms the other way."""
+        against = [] if reference is None or self.name == OWN else ["--ref", str(reference)]
+        done = subprocess.run([*self.command, *against, str(mesh)], text=True, capture_output=True, check=False)
         if done.returncode != 0 or not done.stdout:
             lines = done.stderr.strip().splitlines() or [f"exit code {done.returncode}"]
             raise Refusal(f"{self.name} says: {lines[-1]}")

@@ -5,8 +5,6 @@ Of an outline (.geo) gmsh makes meshes in several ways; the one by frontal trian
 Blossom is what AlphaMST starts from. A mesh file is that itself. Ends with 1 if a mesh by AlphaMST
 has an inverted quad, another number of faces than asked for, or a changed boundary."""
 import argparse
-import dataclasses
-import json
 import math
 import pathlib
 import sys
@@ -14,6 +12,7 @@ import sys
 import judge
 import outline
 import process
+from measurement import Measurement, Row, print_rows
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 BESIDE = REPOSITORY.parent / "shared/data/planar_quad"
@@ -22,32 +21,12 @@ BESIDE_MESHES = ["produced_wales_F7594_S574", "lake_F3093_S613", "lake_F10790_S1
 ALPHAS = {1: "improve", 1.5: "refine", 0.8: "simplify"}
 SCALES = [1, 0.5]
 PICTURE_SCALE = 2.4
-LIMIT = 900  # seconds for one mesh by AlphaMST
 
 
-@dataclasses.dataclass
-class Row:
-    name: str
-    run: process.Run = None  # None: a mesh that was given
-    numbers: dict = None     # None: there is no mesh
-    changed: int = 0         # boundary edges that only this mesh or only the input has
-    inside: float = None     # seconds of the operation alone
-    alpha: float = None      # of a mesh by AlphaMST
-    fault: str = ""
-
-
-class Comparison:
+class Comparison(Measurement):
     def __init__(self, program, folder, seed, threads):
-        self.program, self.folder, self.seed, self.threads = program, folder, seed, threads
-        self.judge = judge.Judge(program)
-        folder.mkdir(parents=True, exist_ok=True)
-
-    def add_mesh(self, row, path, edges=None):
-        try:
-            row.numbers = self.judge.numbers(path)
-        except judge.Refusal as refusal:
-            row.fault = str(refusal)
-        row.changed = 0 if edges is None else len(judge.boundary(path) ^ edges)
+        super().__init__(program, folder, seed)
+        self.threads = threads
 
     def by_gmsh(self, geo, scale, rows, edges):
         for algorithm, way in outline.ALGORITHMS.items():
@@ -68,16 +47,9 @@ class Comparison:
     def by_alphamst(self, given, rows, edges):
         faces = rows[0].numbers["F"]
         for alpha in ALPHAS:
-            row = Row(f"AlphaMST alpha = {alpha}", alpha=alpha)
-            process.say(f"{given.name}: {row.name}")
             path = self.folder / f"{given.stem}_alpha_{alpha}.msh"
-            path.unlink(missing_ok=True)
-            row.run = process.run([self.program, given, path, alpha, self.seed, self.threads], LIMIT)
-            row.fault = row.run.fault
-            if not row.fault:
-                row.inside = json.loads(row.run.output)["seconds"]
-                self.add_mesh(row, path, edges)
-                row.fault = row.fault or fault_of(row, math.floor(alpha * faces + 0.5))
+            row = self.adapt(given, path, alpha, self.threads)
+            self.check(row, path, edges, faces)
             rows.append(row)
 
     def of_outline(self, geo, scale):
@@ -89,8 +61,7 @@ class Comparison:
         return given, taken, rows
 
     def of_mesh(self, path):
-        given = self.folder / f"{path.stem}.msh"
-        run = process.run([self.program, path, given], LIMIT)
+        given, run = self.read(path)
         rows = [Row("input", fault=run.fault)]
         self.of_input(given, rows)
         return rows
@@ -105,33 +76,15 @@ class Comparison:
             add_peers(edges)
         self.by_alphamst(given, rows, edges)
 
-    def draw(self, geo, folder):
+    def of_picture(self, geo, folder):
         """The input and what becomes of it, small enough for a page."""
         given, scale, rows = self.of_outline(geo, PICTURE_SCALE)
         if not any(row.fault for row in rows if row.alpha or row is rows[0]):
             meshes = {"before": given}
             meshes |= {f"alpha_{a}": self.folder / f"{given.stem}_alpha_{a}.msh" for a in ALPHAS}
             for name, mesh in meshes.items():
-                run = process.run([self.program, mesh, folder / f"{geo.stem}_{name}.svg"], LIMIT)
-                rows[0].fault = rows[0].fault or run.fault
+                rows[0].fault = rows[0].fault or self.draw(mesh, folder / f"{geo.stem}_{name}.svg")
         return scale, rows
-
-
-def fault_of(row, wanted):
-    faults = []
-    if row.numbers["inverted"] > 0:
-        faults.append(f"{row.numbers['inverted']} inverted quads")
-    if (row.numbers["quad"], row.numbers["F"]) != (wanted, wanted):
-        faults.append(f"{row.numbers['F']} faces instead of {wanted}")
-    if row.changed > 0:
-        faults.append(f"{row.changed} boundary edges changed")
-    return ", ".join(faults)
-
-
-def print_rows(head, rows):
-    print("\n| " + " | ".join(head) + " |\n| --- |" + " ---: |" * (len(head) - 1))
-    for row in rows:
-        print("| " + " | ".join(row) + " |")
 
 
 def percent(numbers, metric):
@@ -213,7 +166,7 @@ def main():
     everything = []
     for subject in subjects:
         if arguments.pictures and subject.suffix == ".geo":
-            sections = [comparison.draw(subject, arguments.pictures)]
+            sections = [comparison.of_picture(subject, arguments.pictures)]
         elif subject.suffix == ".geo":
             sections = [comparison.of_outline(subject, scale)[1:] for scale in SCALES]
         else:

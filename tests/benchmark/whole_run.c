@@ -1,4 +1,4 @@
-/* whole_run MESH                             prints numbers of a mesh in the plane of x and y
+/* whole_run MESH                             prints numbers of a mesh
  * whole_run MESH OUTPUT                      writes it in another format, or as a picture (.svg)
  * whole_run MESH OUTPUT ALPHA SEED THREADS   writes it adapted as a whole, prints how that went
  *
@@ -51,29 +51,62 @@ static void *allocate(int64_t count, size_t size) {
     return memory;
 }
 
-/* Faces with a corner that is flat or turned over. Verdict's scaled Jacobian cannot tell: it measures a
- * face against its own normal, so one that is turned over as a whole has a good value. */
+/* The vector product of the edges from p to q and from p to r. */
+static void cross(const double p[3], const double q[3], const double r[3], double product[3]) {
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        product[k] = (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
+    }
+}
+
+/* For each vertex the sum of the products at its corners; of a mesh of dim 2 the way up. */
+static void sum_normals(int32_t dim, double (*points)[3], amst_id (*faces)[4], int64_t n_faces,
+                        double (*normals)[3]) {
+    for (int64_t f = 0; f < n_faces; ++f)
+        for (int k = 0; k < 4; ++k) {
+            double product[3], *normal = normals[faces[f][k]];
+            cross(points[faces[f][k]], points[faces[f][(k + 1) % 4]], points[faces[f][(k + 3) % 4]], product);
+            for (int c = 0; c < 3; ++c)
+                normal[c] = dim == 2 ? c == 2 : normal[c] + product[c];
+        }
+}
+
+/* Faces with a corner that is flat or turned over against the mesh around. Verdict's scaled Jacobian
+ * cannot tell: it measures a face against its own normal, so one that is turned over as a whole has a good
+ * value. */
 static int64_t count_inverted(const amst_mesh *mesh) {
     const int64_t n_faces = count_of(mesh, AMST_FACE), n_points = count_of(mesh, AMST_VERTEX);
     int32_t dim;
     int64_t needed, inverted = 0;
     check(amst_mesh_get_dim(mesh, &dim));
-    double *points = allocate(dim * n_points, sizeof *points);
-    amst_id *faces = allocate(4 * n_faces, sizeof *faces);
-    check(amst_mesh_get_points(mesh, points, dim * n_points, &needed));
-    check(amst_mesh_get_faces(mesh, faces, 4 * n_faces, &needed));
+    double *coordinates = allocate(dim * n_points, sizeof *coordinates);
+    double(*points)[3] = allocate(n_points, sizeof *points),
+    (*normals)[3] = allocate(n_points, sizeof *normals);
+    amst_id(*faces)[4] = allocate(n_faces, sizeof *faces);
+    check(amst_mesh_get_points(mesh, coordinates, dim * n_points, &needed));
+    check(amst_mesh_get_faces(mesh, *faces, 4 * n_faces, &needed));
+    for (int64_t v = 0; v < n_points; ++v)
+        for (int c = 0; c < 3; ++c) {
+            points[v][c] = c < dim ? coordinates[dim * v + c] : 0;
+            normals[v][c] = 0;
+        }
+    sum_normals(dim, points, faces, n_faces, normals);
     for (int64_t f = 0; f < n_faces; ++f) {
+        const amst_id *corners = faces[f];
         int is_inverted = 0;
         for (int k = 0; k < 4; ++k) {
-            const double *at = points + dim * faces[4 * f + k];
-            const double *next = points + dim * faces[4 * f + (k + 1) % 4];
-            const double *before = points + dim * faces[4 * f + (k + 3) % 4];
-            is_inverted |=
-                !((next[0] - at[0]) * (before[1] - at[1]) > (next[1] - at[1]) * (before[0] - at[0]));
+            double product[3], along = 0;
+            cross(points[corners[k]], points[corners[(k + 1) % 4]], points[corners[(k + 3) % 4]], product);
+            for (int c = 0; c < 3; ++c)
+                along += product[c] * (normals[corners[0]][c] + normals[corners[1]][c] +
+                                       normals[corners[2]][c] + normals[corners[3]][c]);
+            is_inverted |= !(along > 0);
         }
         inverted += is_inverted;
     }
+    free(coordinates);
     free(points);
+    free(normals);
     free(faces);
     return inverted;
 }

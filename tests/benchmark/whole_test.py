@@ -8,21 +8,11 @@ import sys
 import tempfile
 import unittest
 
+import damage
+
 HERE = pathlib.Path(__file__).resolve().parent
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 SIDE = 6
-
-DAMAGING = """#!{python}
-import subprocess, sys
-arguments = sys.argv[1:]
-{before}
-code = subprocess.run([{program!r}, *arguments]).returncode
-if len(arguments) == 5:
-    lines = open(arguments[1]).read().splitlines()
-    {after}
-    open(arguments[1], "w").write("\\n".join(lines) + "\\n")
-sys.exit(code)
-"""
 
 # The first vertex is a corner of the square: it can move outwards without harm to any face, or so far
 # inwards that its face turns over.
@@ -68,11 +58,7 @@ class Whole(unittest.TestCase):
     def test_sees_damage(self):
         for fault, (before, after) in DAMAGES.items():
             with self.subTest(fault):
-                damaging = self.folder / "damaging"
-                damaging.write_text(DAMAGING.format(python=sys.executable, program=str(PROGRAM), before=before,
-                                                    after=after or "pass"), encoding="utf-8")
-                damaging.chmod(0o755)
-                done = self.compare(damaging)
+                done = self.compare(damage.program(self.folder, PROGRAM, before, after))
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
                 self.assertRegex(done.stdout, rf"AlphaMST alpha = 0.8: \*\*.*{fault}")
                 self.assertIn("3 meshes by AlphaMST, 3 faults.", done.stdout)

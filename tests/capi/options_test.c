@@ -15,6 +15,9 @@ static const integer_option integers[] = {
     {AMST_OPT_CANDIDATES, 16, 1, 1000},
     {AMST_OPT_NODE_LIMIT, 1000, 0, INT64_C(1000000000)},
     {AMST_OPT_QUADRANGULATE, 0, 0, 1},
+    {AMST_OPT_EDIT_BOUNDARY, 0, 0, 1},
+    {AMST_OPT_STRATEGY, 0, 0, 1},
+    {AMST_OPT_ALIGN, 0, 0, 1},
 };
 
 typedef struct real_option {
@@ -26,6 +29,7 @@ static const real_option reals[] = {
     {AMST_OPT_MIN_QUALITY, 0, 0, 1},
     {AMST_OPT_MIN_CONVEXITY, 0.6, 0, 1},
     {AMST_OPT_PATCH_FACES, 100, 1, 2147483647},
+    {AMST_OPT_TOLERANCE, 0.5, 0.01, 100},
 };
 
 static amst_options *new_options(void) {

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -38,6 +41,37 @@ inline Arrays cube() {
     for (int v = 0; v < 8; ++v)
         mesh.points.insert(mesh.points.end(), {double(v & 1), double(v >> 1 & 1), double(v >> 2 & 1)});
     mesh.faces = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+    return mesh;
+}
+
+// A cube of n x n squares a side, blown up to a sphere of radius 1.
+inline Arrays sphere(int n) {
+    Arrays mesh;
+    std::map<std::array<int, 3>, std::int32_t> vertices;
+    const auto vertex = [&](const std::array<int, 3> &at) {
+        const auto [place, is_new] = vertices.try_emplace(at, static_cast<std::int32_t>(vertices.size()));
+        if (is_new) {
+            const double x = at[0] - n / 2.0, y = at[1] - n / 2.0, z = at[2] - n / 2.0;
+            const double r = std::sqrt(x * x + y * y + z * z);
+            mesh.points.insert(mesh.points.end(), {x / r, y / r, z / r});
+        }
+        return place->second;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (int side : {0, n})
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    std::array<int, 3> at;
+                    at[axis] = side;
+                    const auto corner = [&](int u, int v) {
+                        at[(axis + 1) % 3] = side == 0 ? v : u;
+                        at[(axis + 2) % 3] = side == 0 ? u : v;
+                        return vertex(at);
+                    };
+                    for (std::int32_t v :
+                         {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)})
+                        mesh.faces.push_back(v);
+                }
     return mesh;
 }
 

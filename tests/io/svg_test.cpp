@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "samples.h"
 
 namespace alphamst::io {
@@ -96,6 +98,86 @@ TEST(Svg, DrawsAnyMesh) {
     write(folder / "unit.svg", samples::cube());
     EXPECT_EQ(count(samples::contents(folder / "cube.svg"), "z"),
               count(samples::contents(folder / "unit.svg"), "z"));
+}
+
+// Fill colours of the faces, in the order of the file.
+std::vector<std::string> tones(const std::string &text) {
+    const std::string part = "<path fill=\"#";
+    std::vector<std::string> found;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        found.push_back(text.substr(at + part.size(), 6));
+    return found;
+}
+
+std::size_t faces(const std::string &text) { return count(text, "zm") + count(text, "z\"/>"); }
+
+// What is drawn in that colour.
+std::string path(const std::string &text, const std::string &stroke) {
+    const std::size_t from = text.find(" d=\"", text.find("stroke=\"" + stroke + "\"")) + 4;
+    return text.substr(from, text.find('"', from) - from);
+}
+
+TEST(Svg, DrawsAPlaneMeshAlikeInTwoAndThreeDimensions) {
+    const samples::Folder folder;
+    Arrays mesh = samples::grid(4, 2);
+    write(folder / "2.svg", mesh);
+    mesh.dim = 3;
+    write(folder / "3.svg", mesh);
+    const std::string text = samples::contents(folder / "2.svg");
+    EXPECT_EQ(text, samples::contents(folder / "3.svg"));
+    EXPECT_NE(text.find("<path fill=\"#f2f0e6\" stroke=\"#888\""), std::string::npos); // one colour for all
+    EXPECT_EQ(faces(text), 16u);
+}
+
+TEST(Svg, ShowsThreeSidesOfACubeInThreeTones) {
+    const samples::Folder folder;
+    write(folder / "cube.svg", samples::cube());
+    const std::string text = samples::contents(folder / "cube.svg");
+    EXPECT_EQ(count(text, "z\"/>"), 3u) << text;
+    const std::vector<std::string> found = tones(text);
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_NE(found[0], found[1]);
+    EXPECT_NE(found[1], found[2]);
+    EXPECT_NE(found[0], found[2]);
+    EXPECT_EQ(count(text, "<circle"), 7u + 3u); // not the corner behind; legend
+    EXPECT_NE(text.find("valence 3: 8<"), std::string::npos);
+}
+
+TEST(Svg, ShowsTheHalfOfASphereThatFacesTheEye) {
+    const samples::Folder folder;
+    const Arrays sphere = samples::sphere(12);
+    Arrays turned_over = sphere;
+    for (std::size_t f = 0; f < turned_over.faces.size(); f += 4)
+        std::swap(turned_over.faces[f + 1], turned_over.faces[f + 3]);
+    write(folder / "a.svg", sphere);
+    write(folder / "b.svg", sphere);
+    write(folder / "c.svg", turned_over);
+    const std::string text = samples::contents(folder / "a.svg");
+    const std::size_t n = sphere.faces.size() / 4, drawn = faces(text);
+    EXPECT_GT(drawn, 45 * n / 100);
+    EXPECT_LT(drawn, 55 * n / 100); // those half turned away, too
+    const std::vector<std::string> found = tones(text);
+    EXPECT_GT(std::set(found.begin(), found.end()).size(), 20u);
+    EXPECT_EQ(text, samples::contents(folder / "b.svg"));
+    EXPECT_EQ(faces(samples::contents(folder / "c.svg")), drawn); // normals inwards
+    EXPECT_LT(text.size(), 80 * n);
+}
+
+TEST(Svg, LeavesOutLinesAndOutlinesThatAreHidden) {
+    const samples::Folder folder;
+    const Arrays cube = samples::cube();
+    Picture drawn = picture(cube);
+    // Around each side, and over it.
+    for (std::size_t f = 0; f < cube.faces.size(); f += 4) {
+        const std::int32_t *c = &cube.faces[f];
+        drawn.outlines.push_back({c[0], c[1], c[2], c[3]});
+        drawn.lines.push_back({{c[0], c[1]}, {c[2], c[3]}, 0});
+    }
+    write_svg(folder / "cube.svg", drawn);
+    const std::string text = samples::contents(folder / "cube.svg");
+    EXPECT_EQ(count(path(text, "#1a7a3c"), "l"), 2u * 9u); // an edge is of two sides
+    EXPECT_EQ(count(path(text, "#332288"), "l"), 3u);
+    EXPECT_EQ(count(path(text, "#1a7a3c"), "z"), 0u);
 }
 
 } // namespace

@@ -6,9 +6,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <random>
+
+#include "curved.h"
 
 namespace alphamst::mesh {
 namespace {
@@ -19,61 +20,9 @@ constexpr double pi = std::numbers::pi, degree = pi / 180;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// n x m faces; the last column of vertices is the first when `round`, and the last row when `tube`.
-template <class Place>
-QuadMesh grid(int n, int m, const Place &place, bool round = false, bool tube = false, int dim = 3) {
-    const int columns = round ? n : n + 1, rows = tube ? m : m + 1;
-    std::vector<double> points;
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            const Vector3d p = place(static_cast<double>(i) / n, static_cast<double>(j) / m);
-            points.insert(points.end(), {p.x(), p.y(), p.z()});
-        }
-    std::vector<std::int32_t> faces;
-    const auto id = [&](int i, int j) { return j % rows * columns + i % columns; };
-    for (int j = 0; j < m; ++j)
-        for (int i = 0; i < n; ++i)
-            for (const int v : {id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)})
-                faces.push_back(v);
-    return QuadMesh::build(dim, points, faces);
-}
-
 Vector3d on_torus(double s, double t) {
     const double r = 3 + std::cos(2 * pi * t);
     return {r * std::cos(2 * pi * s), r * std::sin(2 * pi * s), std::sin(2 * pi * t)};
-}
-
-QuadMesh sphere(int n) {
-    std::vector<double> points;
-    std::vector<std::int32_t> faces;
-    std::map<std::array<int, 3>, int> ids;
-    const auto id = [&](std::size_t axis, int side, int i, int j) {
-        std::array<int, 3> key{};
-        key[axis] = side * n;
-        key[(axis + 1) % 3] = i;
-        key[(axis + 2) % 3] = j;
-        const auto [entry, added] = ids.emplace(key, static_cast<int>(ids.size()));
-        if (added) {
-            const Vector3d p =
-                (Vector3d(key[0], key[1], key[2]) * 2 / n - Vector3d::Ones()).array().unaryExpr([](double x) {
-                    return std::tan(pi / 4 * x);
-                });
-            const Vector3d q = p.normalized();
-            points.insert(points.end(), {q.x(), q.y(), q.z()});
-        }
-        return entry->second;
-    };
-    for (const int side : {0, 1})
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i) {
-                    std::array<int, 4> quad{id(axis, side, i, j), id(axis, side, i + 1, j),
-                                            id(axis, side, i + 1, j + 1), id(axis, side, i, j + 1)};
-                    if (side == 0)
-                        std::swap(quad[1], quad[3]);
-                    faces.insert(faces.end(), quad.begin(), quad.end());
-                }
-    return QuadMesh::build(3, points, faces);
 }
 
 Vector3d point_of(const QuadMesh &mesh, int v) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "failure.h"
+#include "grid.h"
 #include "surface/triangle.h"
 
 namespace alphamst::surface {
@@ -21,22 +22,6 @@ double chance(std::mt19937 &random) { return static_cast<double>(random()) / 429
 Vector3d anywhere(std::mt19937 &random, double reach) {
     const double x = chance(random), y = chance(random), z = chance(random);
     return (Vector3d(x, y, z) * 2 - Vector3d::Ones()) * reach;
-}
-
-// A grid of n x m cells, each of two triangles, at places that `place` tells.
-template <class Place> Surface grid(int n, int m, const Place &place) {
-    std::vector<Vector3d> points;
-    Triangles triangles;
-    for (int j = 0; j <= m; ++j)
-        for (int i = 0; i <= n; ++i)
-            points.push_back(place(static_cast<double>(i) / n, static_cast<double>(j) / m));
-    for (int j = 0; j < m; ++j)
-        for (int i = 0; i < n; ++i) {
-            const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = c - 1;
-            triangles.push_back({a, b, c});
-            triangles.push_back({a, c, d});
-        }
-    return {points, triangles};
 }
 
 // Its poles and its seam are many points at one place, and triangles without area at the poles.

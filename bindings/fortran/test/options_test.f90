@@ -24,6 +24,7 @@ contains
         call claim(abs(options%get_real(AMST_OPT_MIN_QUALITY)) <= 0, 'quality')
         call claim(abs(options%get_real(AMST_OPT_MIN_CONVEXITY) - 0.6_real64) <= 0, 'convexity')
         call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 100) <= 0, 'patch faces')
+        call claim(abs(options%get_real(AMST_OPT_TOLERANCE) - 0.5_real64) <= 0, 'tolerance')
         call options%set(AMST_OPT_SEED, -2_int64**62)
         call claim(options%get_int(AMST_OPT_SEED) == -2_int64**62, 'a seed of 64 bits')
         call options%set(AMST_OPT_SMOOTH_STEPS, 7)
@@ -62,24 +63,33 @@ contains
 
         call a%create()
         call b%create()
-        do k = 0, 4
-            call a%set(k, merge(0, 5 + k, k == AMST_OPT_REPAIR_PATCHES))
+        do k = 0, AMST_OPT_ALIGN
+            call a%set(k, merge(5 + k, changed(k), k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES))
         end do
-        do k = 1000, 1002
+        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_TOLERANCE
             call a%set(k, merge(9.0_real64, 0.125_real64*(k - 999), k == AMST_OPT_PATCH_FACES))
         end do
         b = a
         call a%destroy()
-        do k = 0, 4
-            call claim(b%get_int(k) == merge(0, 5 + k, k == AMST_OPT_REPAIR_PATCHES), 'copied integer')
+        do k = 0, AMST_OPT_ALIGN
+            call claim(b%get_int(k) == merge(5 + k, changed(k), &
+                k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES), 'copied integer')
         end do
-        do k = 1000, 1002
-            call claim(abs(b%get_real(k) - merge(9.0_real64, 0.125_real64*(k - 999), k == 1002)) <= 0, 'copied real')
+        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_TOLERANCE
+            call claim(abs(b%get_real(k) - merge(9.0_real64, 0.125_real64*(k - 999), &
+                k == AMST_OPT_PATCH_FACES)) <= 0, 'copied real')
         end do
         b = b
         call claim(b%get_int(AMST_OPT_SEED) == 5, 'assigned to itself')
         b = none
         call claim(.not. b%exists(), 'assigned nothing')
     end subroutine assignment_copies_every_key
+
+    !> Of keys that are 0 or 1: what is not their default.
+    pure integer function changed(key)
+        integer, intent(in) :: key
+
+        changed = merge(0, 1, key == AMST_OPT_REPAIR_PATCHES)
+    end function changed
 
 end program options_test

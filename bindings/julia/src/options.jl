@@ -4,8 +4,9 @@ const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
                      repair_patches = AMST_OPT_REPAIR_PATCHES, candidates = AMST_OPT_CANDIDATES,
                      node_limit = AMST_OPT_NODE_LIMIT, quadrangulate = AMST_OPT_QUADRANGULATE,
                      edit_boundary = AMST_OPT_EDIT_BOUNDARY,
-                     strategy = AMST_OPT_STRATEGY, min_quality = AMST_OPT_MIN_QUALITY,
-                     min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES)
+                     strategy = AMST_OPT_STRATEGY, align = AMST_OPT_ALIGN, min_quality = AMST_OPT_MIN_QUALITY,
+                     min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES,
+                     tolerance = AMST_OPT_TOLERANCE)
 
 # The header's rule for the keys of options and of reports.
 is_real(key::Int32) = key >= 1000
@@ -26,9 +27,11 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `quadrangulate` | 0 | 0: triangles of a new mesh are paired, 1: every face is split |
 | `edit_boundary` | 0 | 0 or 1: chords that end on the boundary may be changed |
 | `strategy` | 0 | 0: a whole mesh is adapted by windows, 1: by chords alone |
+| `align` | 0 | 0 or 1: edges of a whole curved mesh turn to its cross field |
 | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
 | `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
 | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |
+| `tolerance` | 0.5 | farthest from the surface, in wanted edges, 0.01 to 100 |
 
 `options[:seed]` reads and `options[:seed] = 7` sets one. Throws `AlphaMSTError` for a value out
 of range or not finite, and for a number in place of a name that the library does not know.

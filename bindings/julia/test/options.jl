@@ -9,11 +9,14 @@
     @test options[:min_quality] === 0.0
     @test options[:min_convexity] === 0.6
     @test options[:patch_faces] === 100.0
+    @test options[:align] == 0
+    @test options[:tolerance] === 0.5
 end
 
 @testset "settings come back" begin
     options = Options(seed = 2^40 + 7, smooth_steps = 3, repair_patches = false, candidates = 5,
-                      node_limit = 10^9, quadrangulate = 1, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12)
+                      node_limit = 10^9, quadrangulate = 1, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12,
+                      align = 1, tolerance = 0.25)
     @test options[:seed] == 2^40 + 7
     @test options[:smooth_steps] == 3
     @test options[:repair_patches] == 0
@@ -23,6 +26,8 @@ end
     @test options[:min_quality] == 0.25
     @test options[:min_convexity] == 0.5
     @test options[:patch_faces] === 12.0
+    @test options[:align] == 1
+    @test options[:tolerance] === 0.25
     options[:seed] = 9
     options[1002] = 31.5
     @test options[0] == 9 && options[:patch_faces] == 31.5

@@ -26,12 +26,16 @@ enumeration! {
         EditBoundary = AMST_OPT_EDIT_BOUNDARY,
         /// Integer, 0: a whole mesh is adapted by windows, 1: by chords alone.
         Strategy = AMST_OPT_STRATEGY,
+        /// Integer 0 or 1, 0: edges of a whole curved mesh turn to its cross field.
+        Align = AMST_OPT_ALIGN,
         /// Real, 0.0: no filling with a scaled Jacobian at or below, 0 to 1.
         MinQuality = AMST_OPT_MIN_QUALITY,
         /// Real, 0.6: a patch below is [`Defects::NOT_CONVEX`](crate::Defects::NOT_CONVEX), 0 to 1.
         MinConvexity = AMST_OPT_MIN_CONVEXITY,
         /// Real, 100: faces of a patch that automatic decomposition aims at, at least 1.
         PatchFaces = AMST_OPT_PATCH_FACES,
+        /// Real, 0.5: farthest from the surface, in wanted edges, 0.01 to 100.
+        Tolerance = AMST_OPT_TOLERANCE,
     }
 }
 
@@ -169,6 +173,18 @@ impl Options {
         self.with_int(OptionKey::Strategy, strategy)
     }
 
+    /// Sets [`OptionKey::Align`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().align(true).get_int(OptionKey::Align)?, 1);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    #[must_use]
+    pub fn align(self, align: bool) -> Self {
+        must(self.with_int(OptionKey::Align, align.into()))
+    }
+
     /// Sets [`OptionKey::MinQuality`].
     ///
     /// ```
@@ -200,6 +216,17 @@ impl Options {
     /// ```
     pub fn patch_faces(self, faces: f64) -> Result<Self> {
         self.with_real(OptionKey::PatchFaces, faces)
+    }
+
+    /// Sets [`OptionKey::Tolerance`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().tolerance(0.2)?.get_real(OptionKey::Tolerance)?, 0.2);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn tolerance(self, edges: f64) -> Result<Self> {
+        self.with_real(OptionKey::Tolerance, edges)
     }
 
     /// Sets an integer, by key or by the number of one that this crate does not know.

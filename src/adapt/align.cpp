@@ -1,0 +1,45 @@
+#include "adapt/align.h"
+
+#include <numeric>
+
+#include "adapt/relax.h"
+#include "adapt/shaping.h"
+#include "geometry/align.h"
+#include "mesh/cross_field.h"
+
+namespace alphamst::adapt {
+
+Crosses::Crosses(const mesh::QuadMesh &mesh) : mesh_(std::make_unique<const mesh::QuadMesh>(mesh)) {
+    constexpr int sweeps = 20; // on each level of the hierarchy of faces
+    const std::vector<double> *given = mesh.field(Entity::face, "cross");
+    values_ = given != nullptr ? *given : mesh::cross_field(*mesh_, sweeps);
+    std::vector<int> all(static_cast<std::size_t>(mesh.n_faces()));
+    std::iota(all.begin(), all.end(), 0);
+    faces_ = std::make_unique<const Faces>(*mesh_, std::move(all));
+}
+
+Eigen::Vector3d Crosses::at(const Eigen::Vector3d &point) const {
+    const auto i = 3 * static_cast<std::size_t>(faces_->nearest(point).face);
+    return {values_[i], values_[i + 1], values_[i + 2]};
+}
+
+void align(mesh::QuadMesh &mesh, Ground &ground, const Crosses &crosses, const Settings &settings) {
+    std::vector<Eigen::Vector3d> directions;
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        const Quad corners = quad_of(mesh, f);
+        directions.push_back(crosses.at((corners[0] + corners[1] + corners[2] + corners[3]) / 4));
+    }
+    const std::vector<char> fixed = immovable(mesh);
+    for (int round = 0; round < 5; ++round) {
+        const geometry::Drape start = ground.drape(mesh);
+        geometry::Drape drape = start;
+        const std::vector<double> areas = ground.areas(mesh.faces(), drape);
+        geometry::EmbedOptions options = shaping(settings);
+        options.area = areas;
+        geometry::align(*ground.surface, mesh.faces(), fixed, directions, drape, options);
+        if (!settle(mesh, ground, start, drape, {}))
+            break;
+    }
+}
+
+} // namespace alphamst::adapt

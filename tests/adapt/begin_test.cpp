@@ -1,0 +1,196 @@
+#include "adapt/begin.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "adapt/locate.h"
+#include "chord/meshes.h"
+#include "eared.h"
+#include "mesh/curved.h"
+#include "mesh/grids.h"
+#include "mesh/reference.h"
+
+namespace alphamst::adapt {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+mesh::QuadMesh on_itself(mesh::QuadMesh mesh) {
+    mesh.surface = mesh::surface_of(mesh);
+    return mesh;
+}
+
+mesh::QuadMesh torus() { return on_itself(mesh::torus(36, 12).build(3)); }
+
+int count(const std::vector<std::uint8_t> &flags) {
+    return static_cast<int>(flags.size() - at(static_cast<int>(std::count(flags.begin(), flags.end(), 0))));
+}
+
+void expect_on_surface(const mesh::QuadMesh &mesh) {
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        EXPECT_LT(mesh.surface->nearest(point_of(mesh, v)).distance, 1e-12);
+}
+
+TEST(Begin, ARegularTorusComesNearerByChordsAlone) {
+    for (const double alpha : {1.5, 2.0, 3.0}) {
+        mesh::QuadMesh mesh = torus();
+        const auto surface = mesh.surface;
+        const int before = mesh.n_faces();
+        const auto wanted = std::llround(alpha * before);
+        begin_with_chords(mesh, wanted, {});
+        EXPECT_GT(mesh.n_faces(), before + 0.8 * static_cast<double>(wanted - before)) << alpha;
+        EXPECT_LE(mesh.n_faces(), wanted) << alpha;
+        EXPECT_TRUE(mesh.singularities().empty()) << alpha;
+        EXPECT_EQ(mesh.n_vertices(), mesh.n_faces()); // still a torus
+        EXPECT_NO_THROW(mesh.check());
+        EXPECT_EQ(mesh.surface, surface);
+        expect_on_surface(mesh);
+        EXPECT_EQ(count(mesh.edge_flags) + count(mesh.vertex_flags) + count(mesh.face_flags), 0);
+    }
+}
+
+TEST(Begin, SplitsPutVerticesOnTheSurfaceNotOnTheEdges) {
+    // The surface is finer than the mesh.
+    mesh::QuadMesh mesh = mesh::torus(36, 12).build(3);
+    mesh.surface = mesh::surface_of(mesh::torus(144, 48).build(3));
+    begin_with_chords(mesh, 2 * mesh.n_faces(), {});
+    EXPECT_GT(mesh.n_faces(), 700);
+    expect_on_surface(mesh);
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        const auto p = point_of(mesh, v);
+        EXPECT_NEAR(std::hypot(std::hypot(p.x(), p.y()) - 3, p.z()), 1, 0.01);
+    }
+}
+
+TEST(Begin, FeaturesOfTheCallerStay) {
+    mesh::QuadMesh mesh = torus();
+    // The inner equator.
+    const auto inside = [](const mesh::QuadMesh &of, int v) {
+        const auto p = point_of(of, v);
+        return std::abs(std::hypot(p.x(), p.y()) - 2) < 1e-6 && std::abs(p.z()) < 1e-6;
+    };
+    int named = 0;
+    for (int e = 0; e < mesh.n_edges(); ++e) {
+        const auto [v, w] = mesh.edge_vertices(e);
+        if (inside(mesh, v) && inside(mesh, w)) {
+            mesh.edge_flags[at(e)] |= mesh::feature;
+            ++named;
+        }
+    }
+    mesh.vertex_flags[0] |= mesh::corner;
+    ASSERT_EQ(named, 36);
+    const OpenMesh::Vec3d corner = mesh.point(0);
+    begin_with_chords(mesh, 2 * mesh.n_faces(), {});
+    EXPECT_GT(mesh.n_faces(), 700);
+    EXPECT_TRUE(mesh.singularities().empty());
+    double length = 0;
+    for (int e = 0; e < mesh.n_edges(); ++e)
+        if (mesh.edge_flags[at(e)] != 0) {
+            const auto [v, w] = mesh.edge_vertices(e);
+            EXPECT_EQ(mesh.edge_flags[at(e)], mesh::feature);
+            length += (mesh.point(v) - mesh.point(w)).norm();
+        }
+    EXPECT_NEAR(length, 36 * 4 * std::sin(std::numbers::pi / 36), 1e-9);
+    EXPECT_EQ(count(mesh.vertex_flags), 1);
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        if (mesh.vertex_flags[at(v)] != 0) {
+            EXPECT_EQ(mesh.vertex_flags[at(v)], mesh::corner);
+            EXPECT_EQ(mesh.point(v), corner);
+        }
+}
+
+TEST(Begin, OtherFlagsStayAndNoneAreLeftBehind) {
+    // A cube: its edges are sharp, and nobody named them.
+    mesh::QuadMesh mesh = on_itself(chord::samples::sphere(10));
+    mesh.face_flags[5] |= mesh::fixed;
+    const OpenMesh::Vec3d first = mesh.point(mesh.corners(5)[0]);
+    begin_with_chords(mesh, 2 * mesh.n_faces(), {});
+    EXPECT_GT(mesh.n_faces(), 900);
+    EXPECT_EQ(mesh.singularities().size(), 8u);
+    EXPECT_EQ(count(mesh.edge_flags) + count(mesh.vertex_flags), 0);
+    ASSERT_EQ(count(mesh.face_flags), 1);
+    const auto held = std::find(mesh.face_flags.begin(), mesh.face_flags.end(), mesh::fixed);
+    EXPECT_EQ(mesh.point(mesh.corners(static_cast<int>(held - mesh.face_flags.begin()))[0]), first);
+    double area = 0; // and it is still a cube
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        area += area_vector(quad_of(mesh, f)).norm();
+    EXPECT_NEAR(area, 600, 1e-9);
+}
+
+void expect_untouched(mesh::QuadMesh mesh, std::int64_t wanted) {
+    const mesh::QuadMesh before = mesh;
+    begin_with_chords(mesh, wanted, {});
+    EXPECT_EQ(mesh.checksum(), before.checksum());
+    EXPECT_EQ(mesh.surface, before.surface);
+    EXPECT_EQ(mesh.vertex_origin, before.vertex_origin);
+}
+
+TEST(Begin, LeavesWhatIsNotForChords) {
+    const mesh::QuadMesh regular = torus();
+    const auto faces = static_cast<std::int64_t>(regular.n_faces());
+    expect_untouched(regular, faces / 2);
+    expect_untouched(regular, faces);
+    expect_untouched(regular, faces + faces / 11); // near enough
+    const mesh::QuadMesh many = on_itself(samples::eared(3));
+    ASSERT_GT(25 * static_cast<int>(many.singularities().size()), many.n_faces());
+    expect_untouched(many, 2 * many.n_faces());
+    expect_untouched(mesh::torus(36, 12).build(3), 2 * faces); // without a surface
+}
+
+TEST(Begin, LeavesAMeshWithSizes) {
+    mesh::QuadMesh mesh = torus();
+    auto size = std::make_shared<mesh::Field>();
+    size->name = "size";
+    size->values.assign(at(mesh.n_vertices()), 0.1);
+    mesh.fields.set(size);
+    const auto before = mesh.checksum();
+    begin_with_chords(mesh, 2 * mesh.n_faces(), {});
+    EXPECT_EQ(mesh.checksum(), before);
+    // The sizes are those of the vertices as they were: none may be asked for that there is not.
+    Settings settings;
+    const Outcome outcome = adapt_whole(mesh, 2, settings, [](double, const char *) {});
+    EXPECT_EQ(outcome.faces_after, outcome.faces_wanted);
+}
+
+TEST(Begin, LeavesThePlane) {
+    for (const int dim : {2, 3}) {
+        mesh::QuadMesh ring = mesh::grid(
+            24, 5,
+            [](double s, double t) {
+                const double angle = 2 * std::numbers::pi * s;
+                return Eigen::Vector3d((2 - t) * std::cos(angle), (2 - t) * std::sin(angle), 0);
+            },
+            true, false, dim);
+        expect_untouched(ring, 240);
+        ring = on_itself(ring);
+        if (dim == 2)
+            expect_untouched(ring, 240);
+        else
+            begin_with_chords(ring, 240, {}); // a surface that happens to be flat
+        EXPECT_EQ(ring.n_faces(), dim == 2 ? 120 : 240);
+    }
+}
+
+TEST(Begin, LeavesWhatWouldUncoverTheSurface) {
+    // Twelve vertices around the tube, and a surface with a spike between them.
+    mesh::QuadMesh spiked = mesh::torus(144, 48).build(3);
+    for (int v = 0; v < spiked.n_vertices(); ++v) {
+        const auto p = point_of(spiked, v);
+        const double away = (p - Eigen::Vector3d(4, 0.2, 0.2)).norm();
+        spiked.set_point(v, spiked.point(v) * (1 + 0.8 * std::exp(-30 * away * away)));
+    }
+    mesh::QuadMesh mesh = mesh::torus(36, 12).build(3);
+    mesh.surface = mesh::surface_of(spiked);
+    expect_untouched(mesh, 2 * mesh.n_faces());
+    Settings lenient;
+    lenient.tolerance = 100;
+    begin_with_chords(mesh, 2 * mesh.n_faces(), lenient);
+    EXPECT_GT(mesh.n_faces(), 700);
+}
+
+} // namespace
+} // namespace alphamst::adapt

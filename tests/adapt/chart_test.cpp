@@ -1,0 +1,224 @@
+#include "adapt/chart.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include "adapt/ground.h"
+#include "adapt/locate.h"
+#include "mesh/curved.h"
+#include "mesh/reference.h"
+#include "meshes.h"
+
+namespace alphamst::adapt {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Faces of a mesh as a filling of their boundary, laid on a surface.
+struct Piece {
+    fill::Filling filling;
+    geometry::Drape drape;
+
+    Piece(const mesh::QuadMesh &mesh, const surface::Surface &surface, const std::vector<int> &faces,
+          std::vector<int> loop) {
+        filling.boundary = static_cast<int>(loop.size());
+        std::vector<int> vertices = std::move(loop);
+        for (const int v : patch::make_window(mesh, faces).interior)
+            vertices.push_back(v);
+        std::map<int, int> local;
+        for (const int v : vertices)
+            local.emplace(v, static_cast<int>(local.size()));
+        for (const int f : faces) {
+            filling.quads.push_back(mesh.corners(f));
+            for (int &v : filling.quads.back())
+                v = local.at(v);
+        }
+        filling.vertices = static_cast<int>(vertices.size());
+        drape = drape_of(mesh, surface, {}, vertices);
+    }
+};
+
+// The part of a sphere of radius 1 above a height: flat enough for a plane above 0.6.
+struct Cap {
+    mesh::QuadMesh sphere = mesh::sphere(12);
+    std::shared_ptr<const surface::Surface> surface = mesh::surface_of(sphere);
+    std::vector<int> faces, loop;
+
+    explicit Cap(double height) {
+        for (int f = 0; f < sphere.n_faces(); ++f) {
+            const auto corners = sphere.corners(f);
+            if (std::all_of(corners.begin(), corners.end(),
+                            [&](int v) { return sphere.point(v)[2] > height; }))
+                faces.push_back(f);
+        }
+        EXPECT_EQ(patch::defects(sphere, faces), 0);
+        loop = patch::make_window(sphere, faces).loop;
+    }
+    Piece piece() const { return {sphere, *surface, faces, loop}; }
+    // The same boundary, other quads inside.
+    Piece other(int turns) const {
+        mesh::QuadMesh turned = sphere;
+        std::mt19937 random(3);
+        samples::turn_edges(turned, faces, turns, random);
+        EXPECT_GE(turned.singularities().size(), sphere.singularities().size() + 8);
+        return {turned, *surface, faces, loop};
+    }
+};
+
+constexpr double low = 0.6, high = -0.4;
+
+TEST(Chart, OfAPlaneIsThePlane) {
+    const Vector3d along = Vector3d(1, 2, 2) / 3, across = Vector3d(2, -2, 1) / 3;
+    const mesh::QuadMesh mesh = mesh::grid(6, 4, [&](double s, double t) {
+        return Vector3d(Vector3d(5, 6, 7) + (6 * s + 0.3 * std::sin(5 * t)) * along + 4 * t * across);
+    });
+    const auto surface = mesh::surface_of(mesh);
+    const std::vector<int> faces = samples::all_faces(mesh);
+    const Piece piece(mesh, *surface, faces, patch::make_window(mesh, faces).loop);
+    const Chart chart(piece.filling, piece.drape);
+    const geometry::Points &flat = chart.positions();
+    ASSERT_EQ(flat.size(), at(mesh.n_vertices()));
+    for (std::size_t i = 0; i < flat.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_NEAR((flat[i] - flat[j]).norm(), (piece.drape.points[i] - piece.drape.points[j]).norm(),
+                        1e-12);
+    EXPECT_TRUE(geometry::shapes_of(piece.filling.quads, flat).valid); // not seen from behind
+    // What is between the vertices is as far from them in space.
+    std::mt19937 random(1);
+    for (int i = 0; i < 100; ++i) {
+        const Vector2d &p = flat[random() % flat.size()], &q = flat[random() % flat.size()];
+        const Vector2d x = p + samples::chance(random) * (q - p);
+        const Vector3d lifted = chart.lift(*surface, x).point;
+        double nearest = HUGE_VAL; // at a side that is bent inwards, x may be outside
+        for (std::size_t v = 0; v < flat.size(); ++v)
+            nearest = std::min(nearest, (flat[v] - x).norm());
+        if (nearest < 0.4)
+            continue;
+        for (std::size_t v = 0; v < flat.size(); ++v)
+            EXPECT_NEAR((piece.drape.points[v] - lifted).norm(), (flat[v] - x).norm(), 1e-12);
+    }
+}
+
+TEST(Chart, OfALowCapIsItsProjection) {
+    const Piece piece = Cap(low).piece();
+    const Chart chart(piece.filling, piece.drape);
+    for (std::size_t i = 0; i < chart.positions().size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const Vector3d way = piece.drape.points[i] - piece.drape.points[j];
+            EXPECT_NEAR((chart.positions()[i] - chart.positions()[j]).norm(), std::hypot(way.x(), way.y()),
+                        1e-9);
+        }
+    EXPECT_TRUE(geometry::shapes_of(piece.filling.quads, chart.positions()).valid);
+}
+
+// And of what could still be projected, but would be seen from the side.
+TEST(Chart, OfAHighCapIsACircleSpacedByLength) {
+    for (const double height : {0.25, high}) {
+        const Piece piece = Cap(height).piece();
+        const Chart chart(piece.filling, piece.drape);
+        const std::size_t n = at(piece.filling.boundary);
+        std::vector<double> edges;
+        for (std::size_t i = 0; i < n; ++i)
+            edges.push_back((piece.drape.points[(i + 1) % n] - piece.drape.points[i]).norm());
+        const double radius = std::accumulate(edges.begin(), edges.end(), 0.0) / (2 * std::numbers::pi);
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vector2d &p = chart.positions()[i], &next = chart.positions()[(i + 1) % n];
+            EXPECT_NEAR(p.norm(), radius, 1e-12);
+            const double angle = std::atan2(p.x() * next.y() - p.y() * next.x(), p.dot(next));
+            EXPECT_NEAR(angle * radius, edges[i], 1e-9);
+        }
+        for (std::size_t i = n; i < chart.positions().size(); ++i)
+            EXPECT_LT(chart.positions()[i].norm(), 0.999 * radius);
+        EXPECT_TRUE(geometry::shapes_of(piece.filling.quads, chart.positions()).valid);
+    }
+}
+
+TEST(Chart, LiftGivesTheVerticesBack) {
+    for (const double height : {low, high}) {
+        const Cap cap(height);
+        const Piece piece = cap.piece();
+        const Chart chart(piece.filling, piece.drape);
+        for (std::size_t v = 0; v < chart.positions().size(); ++v) {
+            const surface::Spot spot = chart.lift(*cap.surface, chart.positions()[v]);
+            EXPECT_LT((spot.point - piece.drape.points[v]).norm(), 1e-12) << height;
+            EXPECT_GT(spot.normal.dot(piece.drape.normals[v]), 0.99);
+        }
+    }
+}
+
+TEST(Chart, LiftOfAPlaceInAQuadIsThePlaceOfTheSurfaceThere) {
+    for (const double height : {low, high}) {
+        const Cap cap(height);
+        const Piece piece = cap.piece();
+        const Chart chart(piece.filling, piece.drape);
+        std::mt19937 random(5);
+        for (const auto &q : piece.filling.quads) {
+            const double a = samples::chance(random), b = (1 - a) * samples::chance(random), c = 1 - a - b;
+            const auto &flat = chart.positions();
+            const auto &points = piece.drape.points;
+            const Vector2d x = a * flat[at(q[0])] + b * flat[at(q[1])] + c * flat[at(q[2])];
+            const Vector3d wanted = a * points[at(q[0])] + b * points[at(q[1])] + c * points[at(q[2])];
+            const surface::Spot spot = chart.lift(*cap.surface, x);
+            EXPECT_LT((spot.point - cap.surface->nearest(wanted).point).norm(), 1e-9);
+            EXPECT_LT(cap.surface->nearest(spot.point).distance, 1e-12);
+        }
+    }
+}
+
+TEST(Chart, LiftOfAPlaceBesideTheChartIsOnTheSurfaceAndNotFarBeside) {
+    for (const double height : {low, high}) {
+        const Cap cap(height);
+        const Piece piece = cap.piece();
+        const Chart chart(piece.filling, piece.drape);
+        double lowest = 1;
+        for (int i = 0; i < piece.filling.boundary; ++i)
+            lowest = std::min(lowest, piece.drape.points[at(i)].z());
+        for (int i = 0; i < piece.filling.boundary; ++i)
+            for (const double beside : {1e-12, 1e-6, 1e-3, 0.3}) {
+                const surface::Spot spot = chart.lift(*cap.surface, (1 + beside) * chart.positions()[at(i)]);
+                EXPECT_LT(cap.surface->nearest(spot.point).distance, 1e-12);
+                EXPECT_LT((spot.point - piece.drape.points[at(i)]).norm(), 1e-11 + 3 * beside);
+                EXPECT_GT(spot.point.z(), lowest - 0.03);
+            }
+    }
+}
+
+TEST(Chart, PlacesFillingsOfTheBoundary) {
+    for (const double height : {low, high}) {
+        const Cap cap(height);
+        const Piece piece = cap.piece();
+        const Chart chart(piece.filling, piece.drape);
+        for (const Piece &filled : {piece, cap.other(6)}) {
+            const geometry::Embedding placed = chart.place(filled.filling, {});
+            EXPECT_TRUE(placed.valid) << height;
+            ASSERT_EQ(placed.positions.size(), at(filled.filling.vertices));
+            EXPECT_TRUE(geometry::shapes_of(filled.filling.quads, placed.positions).valid) << height;
+            for (std::size_t i = 0; i < at(piece.filling.boundary); ++i)
+                EXPECT_LT((placed.positions[i] - chart.positions()[i]).norm(), 1e-12);
+        }
+        if (height == high) { // where the old filling lies already
+            const geometry::Points again = chart.place(piece.filling, {}).positions;
+            EXPECT_EQ(again, chart.positions());
+        }
+    }
+}
+
+TEST(Chart, SaysWhereAFillingHasNoPlaceInThePlane) {
+    const Piece piece = Cap(low).piece();
+    const Chart chart(piece.filling, piece.drape);
+    fill::Filling turned = piece.filling;
+    for (auto &quad : turned.quads)
+        std::swap(quad[1], quad[3]);
+    EXPECT_FALSE(chart.place(turned, {}).valid);
+}
+
+} // namespace
+} // namespace alphamst::adapt
