@@ -198,18 +198,19 @@ public:
                 pass.most_added = level.added;
                 pass.shape = {level.shape * least_quality, 0, most_misshapen};
                 for (int k = 0; k < (level.added > 0 ? tries : 1); ++k)
-                    run(pass, "mend", 0.95, 0);
+                    run(pass, "mend", 0, 0);
             }
         }
         allow(levels[0]);
     }
 
     void finish() {
-        progress_(0.95, "relax");
+        tell(0.9, "relax");
         relax(mesh_, ground_, density_, settings_);
         if (crosses_)
             align(mesh_, ground_, *crosses_, settings_);
-        progress_(1, "relax");
+        mend();
+        tell(1, "mend");
     }
 
 private:
@@ -232,8 +233,14 @@ private:
 
     Shapeliness wish(double part) const { return {part * quality_, part * least_shape, poor_price}; }
 
+    // Stages come more than once; what was told does not fall.
+    void tell(double fraction, const char *stage) {
+        told_ = std::max(told_, fraction);
+        progress_(told_, stage);
+    }
+
     int run(const Pass &pass, const char *stage, double start, double part) {
-        return sweep_.run(pass, [&](double fraction) { progress_(start + part * fraction, stage); });
+        return sweep_.run(pass, [&](double fraction) { tell(start + part * fraction, stage); });
     }
 
     mesh::QuadMesh &mesh_;
@@ -244,6 +251,7 @@ private:
     const std::optional<Density> density_;
     Sweep sweep_;
     const double quality_, near_; // near_: usual tolerance of the distance to the surface
+    double told_ = 0;             // of the progress
 };
 
 Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings,
@@ -280,7 +288,6 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
         if (exact)
             work.count();
     work.finish();
-    work.mend();
     outcome.faces_after = mesh.n_faces();
     describe(ground, outcome.valences_after, outcome.singular_after, outcome.quality_after);
     if (exact && outcome.faces_after != outcome.faces_wanted)

@@ -53,6 +53,17 @@ TEST(Surface, VerticesKeepToItAndItStaysCovered) {
     EXPECT_LT(distance(mesh, before), 1e-12);
 }
 
+TEST(Surface, ProgressNeverFalls) {
+    mesh::QuadMesh mesh = eared(4);
+    double told = 0;
+    adapt_whole(mesh, 0.6, {}, [&](double fraction, const char *stage) {
+        EXPECT_GE(fraction, told) << stage;
+        EXPECT_LE(fraction, 1);
+        told = fraction;
+    });
+    EXPECT_EQ(told, 1);
+}
+
 TEST(Surface, SameResultForAnyNumberOfThreads) {
     std::vector<std::uint64_t> digests;
     for (const int threads : {1, 2, 8}) {
