@@ -15,8 +15,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double tight = 0.1;   // corners that are hardly positive: determinant over the wanted area
-constexpr double careful = 0.4; // scaled Jacobian: worse ones around a vertex are not made by moving it
+constexpr double size_weight = 0.6; // against shape: areas tell where the surface bends
+constexpr double tight = 0.1;       // corners that are hardly positive: determinant over the wanted area
+constexpr double careful = 0.4;     // scaled Jacobian: worse ones around a vertex are not made by moving it
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -175,7 +176,7 @@ private:
         thread_local TangentStar star;
         star.lay(problem_, drape_, v);
         const double least = least_determinant(star);
-        Barrier barrier{.theta = 0.3, .area = problem_.area};
+        Barrier barrier{.theta = size_weight, .area = problem_.area};
         double distance = 0;
         if (!(least > tight)) {
             barrier.epsilon = std::max(0.3 * std::max(0.0, -least), softest * std::pow(0.5, step_) + 1e-3);
