@@ -112,9 +112,8 @@ Coverage coverage_of(const mesh::QuadMesh &mesh, const surface::Surface &surface
     return Coverage(surface, mesh, samples * static_cast<std::size_t>(wanted), edges * edge);
 }
 
-bool Coverage::complete() const {
-    return std::all_of(distance_.begin(), distance_.end(),
-                       [this](float distance) { return static_cast<double>(distance) <= tolerance_; });
+double Coverage::largest() const {
+    return distance_.empty() ? 0 : static_cast<double>(*std::max_element(distance_.begin(), distance_.end()));
 }
 
 void Coverage::assign(std::span<const int> faces, std::span<const Owner> owners,

@@ -42,8 +42,10 @@ public:
         samples_[static_cast<std::size_t>(to)] = std::move(samples_[static_cast<std::size_t>(from)]);
     }
 
+    // Distance of the sample that is farthest from the mesh.
+    double largest() const;
     // No sample is farther than the tolerance.
-    bool complete() const;
+    bool complete() const { return largest() <= tolerance_; }
 
     double tolerance() const { return tolerance_; }
     void set_tolerance(double tolerance) { tolerance_ = tolerance; }

@@ -8,6 +8,7 @@
 #include "adapt/tally.h"
 #include "adapt/workers.h"
 #include "geometry/embed.h"
+#include "geometry/fit.h"
 #include "geometry/star.h"
 #include "patch/grow.h"
 #include "patch/region.h"
@@ -58,6 +59,17 @@ std::vector<double> wanted_areas(const mesh::QuadMesh &mesh, const Density &dens
     for (double &a : wanted)
         a *= area / sum;
     return wanted;
+}
+
+// Of a whole mesh, with these wanted areas.
+geometry::EmbedOptions whole_shaping(const Settings &settings, const Workers &workers,
+                                     std::span<const double> area) {
+    geometry::EmbedOptions options = shaping(settings);
+    options.area = area;
+    options.run = [&workers](std::size_t n, const std::function<void(std::size_t)> &work) {
+        workers.run(n, [&](std::size_t i, std::size_t) { work(i); });
+    };
+    return options;
 }
 
 void relax_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, std::span<const char> fixed,
@@ -153,16 +165,29 @@ void relax(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &d
            const Settings &settings) {
     const std::vector<char> fixed = immovable(mesh);
     const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
-    geometry::EmbedOptions options = shaping(settings);
-    options.area = area;
     const Workers workers(settings.threads);
-    options.run = [&](std::size_t n, const std::function<void(std::size_t)> &work) {
-        workers.run(n, [&](std::size_t i, std::size_t) { work(i); });
-    };
+    const geometry::EmbedOptions options = whole_shaping(settings, workers, area);
     if (ground.plane)
         relax_flat(mesh, *ground.plane, fixed, options);
     else
         relax_draped(mesh, ground, fixed, options);
+}
+
+void fit(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &density,
+         const Settings &settings) {
+    const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
+    const Workers workers(settings.threads);
+    const geometry::EmbedOptions options = whole_shaping(settings, workers, area);
+    const geometry::Drape start = ground.drape(mesh);
+    geometry::Drape drape = start;
+    geometry::fit(*ground.surface, mesh.faces(), immovable(mesh), drape, options);
+    // The surface as a whole comes nearer; a part of it may get as far as the farthest was.
+    const double tolerance = ground.coverage ? ground.coverage->tolerance() : 0;
+    if (ground.coverage)
+        ground.coverage->set_tolerance(std::max(tolerance, ground.coverage->largest()));
+    settle(mesh, ground, start, drape, options.run);
+    if (ground.coverage)
+        ground.coverage->set_tolerance(tolerance);
 }
 
 } // namespace alphamst::adapt

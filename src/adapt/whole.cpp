@@ -209,6 +209,8 @@ public:
         relax(mesh_, ground_, density_, settings_);
         if (crosses_)
             align(mesh_, ground_, *crosses_, settings_);
+        if (ground_.surface)
+            fit(mesh_, ground_, density_, settings_);
         mend();
         tell(1, "mend");
     }
