@@ -128,7 +128,7 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
         goal.forbid_old = true;
         return goal;
     }
-    if (pass.purpose != Purpose::fewer_singularities) {
+    if (pass.purpose != Purpose::fewer_singularities && pass.purpose != Purpose::wander) {
         const bool spread = pass.purpose == Purpose::spread;
         const std::int64_t lacking = spread ? std::llround(share) - now : missing();
         if (spread && static_cast<double>(std::abs(lacking)) < even_enough * static_cast<double>(now))
@@ -139,6 +139,10 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
         goal.fewest = std::max<std::int64_t>(1, aim > 0 ? now + std::max<std::int64_t>(1, least) : now + aim);
         goal.most = aim > 0 ? now + aim : now + std::min<std::int64_t>(-1, least);
         return goal;
+    }
+    if (pass.purpose == Purpose::wander) {
+        goal.most_added = 0;
+        goal.forbid_old = true;
     }
     // What a commit may do to the total; see welcome.
     const auto slack = std::max<std::int64_t>(8, std::llround(pass.slack * static_cast<double>(wanted_)));
@@ -378,6 +382,8 @@ int Sweep::run(const Pass &pass, const std::function<void(double)> &between) {
         between(1 - static_cast<double>(waiting_.size()) / static_cast<double>(seeds_.size()));
         Round round = plan_round(pass);
         round.trials.resize(round.places.size());
+        for (const Place &place : round.places)
+            effort_ += static_cast<std::int64_t>(place.faces.size());
         workers_.run(round.places.size(), [&](std::size_t i, std::size_t) {
             round.trials[i] =
                 attempt(mesh_, round.places[i], *round.goals[i], pass.shape, settings_, ground_);

@@ -16,6 +16,7 @@ namespace alphamst::adapt {
 
 enum class Purpose {
     fewer_singularities,
+    wander, // no more singularities, but elsewhere
     spread, // the faces go where they are wanted
     count,  // there come to be as many faces as are wanted
     mend,   // the worst shapes become better
@@ -40,6 +41,8 @@ public:
     // that is done.
     int run(const Pass &pass, const std::function<void(double)> &between);
 
+    // What was done so far: faces of all windows that were tried.
+    std::int64_t effort() const { return effort_; }
     std::int64_t wanted() const { return wanted_; }
     // Singular vertices, those of the mesh boundary included, and mismatches there.
     int singular() const { return singular_; }
@@ -81,6 +84,7 @@ private:
     int epoch_ = 0;
     std::deque<int> waiting_;      // places in seeds_
     int tried_ = 0, refilled_ = 0; // in this run
+    std::int64_t effort_ = 0;
 };
 
 } // namespace alphamst::adapt

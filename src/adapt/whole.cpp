@@ -25,9 +25,13 @@ constexpr double poor_price = 3; // quads that may become poor for one singulari
 constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
 constexpr double most_misshapen = 100; // poor quads that a better worst one may cost
 constexpr int large = 160, large_on_surface = 100;
-constexpr int most_of_mesh = 12;    // larger windows than such a part of the mesh hardly ever come right
-constexpr int repeats = 3;          // with windows of one size
-constexpr int more = 3;             // rounds with large windows on a surface
+constexpr int most_of_mesh = 12; // larger windows than such a part of the mesh hardly ever come right
+constexpr int repeats = 3;       // with windows of one size
+constexpr int more = 3;          // rounds with large windows on a surface
+constexpr double few = 24, most_persistence = 1.5; // singularities; of what was done for all before
+constexpr int wandering = 60;                      // faces of a window that moves singularities
+constexpr std::array<int, 3> searched = {250, 160,
+                                         400}; // faces of the windows that look for fewer after that
 constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
 constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
 constexpr double far = 0.1;         // of the wanted faces; fewer that are missing are left to the count
@@ -204,6 +208,30 @@ public:
         allow(levels[0]);
     }
 
+    // Where few are left large windows find none at once; between them singularities wander, as no more of
+    // them, so that others come within reach. The fewer there are, the more such a mesh is worth.
+    void persist() {
+        const auto effort = static_cast<double>(sweep_.effort());
+        const auto worth = [&] {
+            const double part = few / std::max(1, sweep_.singular());
+            return effort * (1 + std::min(most_persistence, part * part));
+        };
+        for (std::size_t i = 0; static_cast<double>(sweep_.effort()) < worth() && !regular(); ++i) {
+            const int size = searched[i % searched.size()];
+            for (const bool wander : {true, false}) {
+                Pass pass;
+                pass.purpose = wander ? Purpose::wander : Purpose::fewer_singularities;
+                pass.size = wander ? wandering : std::min(size, largest());
+                pass.slack = wander ? slack : slack * large / (2 * pass.size);
+                pass.shape = wish(1);
+                const int before = sweep_.singular();
+                run(pass, "reduce", 0.8, 0);
+                if (wander || sweep_.singular() < before)
+                    relax(mesh_, ground_, density_, settings_);
+            }
+        }
+    }
+
     void finish() {
         tell(0.9, "relax");
         relax(mesh_, ground_, density_, settings_);
@@ -223,6 +251,15 @@ private:
     }
 
     int largest() const { return std::max(large, mesh_.n_faces() / most_of_mesh); }
+
+    // No mesh of this genus has fewer.
+    bool regular() const {
+        int sum = 0;
+        for (int v = 0; v < mesh_.n_vertices(); ++v)
+            if (!mesh_.isolated(v) && !mesh_.on_boundary(v))
+                sum += 4 - mesh_.valence(v);
+        return sweep_.singular() <= std::abs(sum);
+    }
 
     bool is_far() const {
         return static_cast<double>(std::abs(sweep_.missing())) > far * static_cast<double>(sweep_.wanted());
@@ -289,6 +326,11 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
     for (int k = 0; ground.surface && k < more && work.reduce(large); ++k)
         if (exact)
             work.count();
+    if (ground.surface) {
+        work.persist();
+        if (exact)
+            work.count();
+    }
     work.finish();
     outcome.faces_after = mesh.n_faces();
     describe(ground, outcome.valences_after, outcome.singular_after, outcome.quality_after);
