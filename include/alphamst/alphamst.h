@@ -221,6 +221,7 @@ enum amst_option {
     AMST_OPT_EDIT_BOUNDARY = 6,    /* int 0/1, 0: chords that end on the boundary may be changed */
     AMST_OPT_STRATEGY = 7,         /* int, 0: amst_adapt of a whole mesh by windows, 1 by chords alone */
     AMST_OPT_ALIGN = 8,            /* int 0/1, 0: edges of a whole curved mesh turn to its cross field */
+    AMST_OPT_CHART = 9,            /* int, 0: maps curved patches; 1 mean value, 2 conformal, 3 low stretch */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
@@ -597,7 +598,12 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * amst_mesh_set_surface, surface and mesh stay within AMST_OPT_TOLERANCE wanted edge
  * lengths of each other, but for the last faces of the count, and faces are denser where
  * it bends more. With AMST_OPT_ALIGN its edges turn at last towards the face field "cross"
- * or, without one, towards what amst_mesh_compute_cross_field would give.
+ * or, without one, towards what amst_mesh_compute_cross_field would give. AMST_OPT_CHART
+ * is the map that lays a curved patch, given or window, in the plane to be filled: 0
+ * projects it where it turns little, else has each vertex on a disk amid its neighbours
+ * (Tutte), 1 has it there by mean value coordinates, 2 keeps angles and lets the boundary
+ * go where it wants, 3 keeps areas on the disk, too. A map that folds is not used: 2 and 3
+ * give way to 1, and that to Tutte's, which never does.
  * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);

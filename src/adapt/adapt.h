@@ -18,6 +18,14 @@
 
 namespace alphamst::adapt {
 
+// How a curved patch is laid in the plane to be filled anew.
+enum class ChartKind {
+    plane_or_circle, // a projection where it turns little, else on a circle
+    mean_value,      // on a circle
+    conformal,       // loop and all where angles are kept best
+    low_stretch      // on a circle, with areas in mind
+};
+
 struct Settings {
     std::uint64_t seed = 0;
     int smooth_steps = 20;
@@ -27,8 +35,9 @@ struct Settings {
     std::int64_t node_limit = 1000; // effort of one exact search
     double min_quality = 0;         // a filling must have a larger scaled Jacobian
     double tolerance = 0.5;         // of the distance to the surface both ways, in wanted edges
-    bool align = false;             // whole curved meshes: edges along the cross field
-    int threads = 1;                // 0: all cores
+    ChartKind chart = ChartKind::plane_or_circle;
+    bool align = false; // whole curved meshes: edges along the cross field
+    int threads = 1;    // 0: all cores
 };
 
 // Called on the calling thread only, between steps; throws Failure (cancelled) to stop.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/parametrise.h"
 #include "geometry/plane.h"
 
 namespace alphamst::adapt {
@@ -38,13 +39,37 @@ struct Chart::Tree {
     index::rtree<Entry, index::rstar<16>> boxes;
 };
 
-Chart::Chart(const fill::Filling &old, const geometry::Drape &drape) : old_(old), drape_(drape) {
+Chart::Chart(const fill::Filling &old, const geometry::Drape &drape, ChartKind kind)
+    : old_(old), drape_(drape) {
     for (int i = 0; i < old.boundary; ++i)
         lengths_.push_back((drape.points[at((i + 1) % old.boundary)] - drape.points[at(i)]).norm());
-    flat_ = project();
-    if (!flat_)
+    if (!lay(kind))
         positions_ = geometry::embed_on_circle(old.quads, old.boundary, old.vertices, lengths_);
     link();
+}
+
+// False where every map folds that was wanted or could stand in for it.
+bool Chart::lay(ChartKind kind) {
+    const geometry::Disk disk{old_.quads, old_.boundary, drape_.points};
+    if (kind == ChartKind::plane_or_circle) {
+        round_ = !project();
+        return !round_;
+    }
+    if (kind == ChartKind::conformal) {
+        round_ = !take(geometry::conformal(disk));
+        if (!round_)
+            return true;
+    }
+    if (kind == ChartKind::low_stretch && take(geometry::low_stretch_on_circle(disk)))
+        return true;
+    return take(geometry::mean_value_on_circle(disk));
+}
+
+bool Chart::take(geometry::Points positions) {
+    if (positions.empty() || !geometry::is_bijective(old_.quads, old_.boundary, positions))
+        return false;
+    positions_ = std::move(positions);
+    return true;
 }
 
 // False where the surface turns too far for that.
@@ -60,9 +85,10 @@ bool Chart::project() {
     const geometry::Plane plane = geometry::Plane::fit(drape_.points, mean);
     if (!(plane.normal().dot(mean) > std::sqrt(0.75)))
         return false;
+    geometry::Points positions;
     for (const Eigen::Vector3d &p : drape_.points)
-        positions_.push_back(plane.to_plane(p));
-    return geometry::shapes_of(old_.quads, positions_).valid;
+        positions.push_back(plane.to_plane(p));
+    return take(std::move(positions));
 }
 
 void Chart::link() {
@@ -85,7 +111,7 @@ Chart::~Chart() = default;
 Chart::Chart(Chart &&) noexcept = default;
 
 geometry::Embedding Chart::place(const fill::Filling &filling, const geometry::EmbedOptions &options) const {
-    if (flat_)
+    if (!round_)
         return geometry::embed(filling.quads, filling.boundary, filling.vertices, positions_, options);
     geometry::Embedding embedding;
     embedding.valid = true;

@@ -3,22 +3,24 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <span>
 #include <vector>
 
+#include "adapt/adapt.h"
 #include "fill/filling.h"
 #include "geometry/drape.h"
 
 namespace alphamst::adapt {
 
 // What lies at the same place of the chart lies at the same place of the surface, so that a new filling
-// begins where the old one was. Where the surface turns little, the chart is its projection on a plane,
-// and fillings get their shape there. Elsewhere the disk and any other filling of its boundary are laid
-// into the same circle, where none has a face turned over however curved the surface is (Tutte 1963;
-// with the boundary spaced by length).
+// begins where the old one was. Where the loop keeps a shape of its own, in a projection on a plane or a
+// conformal map, fillings get their shape there. Otherwise it is on a circle, spaced by length, in which any
+// filling of it has a place without a face turned over, however curved the surface is (Tutte 1963). No kind
+// but that of Tutte is taken where it folds: conformal and low stretch give way to mean values, and those to
+// him. By default he has the circle, since mean values made no fewer singularities and took no less time.
 class Chart {
 public:
-    Chart(const fill::Filling &old, const geometry::Drape &drape);
+    Chart(const fill::Filling &old, const geometry::Drape &drape,
+          ChartKind kind = ChartKind::plane_or_circle);
     ~Chart();
     Chart(Chart &&) noexcept;
 
@@ -30,13 +32,15 @@ public:
     surface::Spot lift(const surface::Surface &surface, const Eigen::Vector2d &position) const;
 
 private:
+    bool lay(ChartKind kind);
+    bool take(geometry::Points positions);
     bool project();
     void link();
 
     struct Tree;
     fill::Filling old_;
     geometry::Drape drape_;
-    bool flat_ = false;
+    bool round_ = true;           // the loop is on a circle
     std::vector<double> lengths_; // of the edges of the loop
     geometry::Points positions_;
     std::vector<std::array<int, 3>> triangles_;

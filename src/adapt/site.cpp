@@ -217,7 +217,7 @@ void Site::flatten() {
     if (!ground_.surface)
         throw Refusal{Fault::internal, "the patch is curved, but the mesh keeps to no surface"};
     old_drape_ = draped(vertices);
-    chart_.emplace(old, old_drape_);
+    chart_.emplace(old, old_drape_, settings_.chart);
     old_positions_ = chart_->positions();
     old_shape = geometry::judge(old.quads, old_drape_);
 }

@@ -29,6 +29,7 @@ constexpr Knob<std::int64_t> integers[] = {
     {AMST_OPT_EDIT_BOUNDARY, "AMST_OPT_EDIT_BOUNDARY", &Options::edit_boundary, 0, 1},
     {AMST_OPT_STRATEGY, "AMST_OPT_STRATEGY", &Options::strategy, 0, 1},
     {AMST_OPT_ALIGN, "AMST_OPT_ALIGN", &Options::align, 0, 1},
+    {AMST_OPT_CHART, "AMST_OPT_CHART", &Options::chart, 0, 3},
 };
 
 constexpr Knob<double> reals[] = {
@@ -78,6 +79,7 @@ adapt::Settings settings_of(const Options &options, int threads) {
     settings.min_quality = options.min_quality;
     settings.tolerance = options.tolerance;
     settings.align = options.align != 0;
+    settings.chart = static_cast<adapt::ChartKind>(options.chart);
     settings.threads = threads;
     return settings;
 }

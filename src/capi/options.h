@@ -20,6 +20,7 @@ struct Options {
     std::int64_t edit_boundary = 0;
     std::int64_t strategy = 0;
     std::int64_t align = 0;
+    std::int64_t chart = 0;
     double min_quality = 0;
     double min_convexity = 0.6;
     double patch_faces = 100;

@@ -10,6 +10,7 @@
 
 #include "adapt/ground.h"
 #include "adapt/locate.h"
+#include "geometry/parametrise.h"
 #include "mesh/curved.h"
 #include "mesh/reference.h"
 #include "meshes.h"
@@ -209,6 +210,90 @@ TEST(Chart, PlacesFillingsOfTheBoundary) {
             EXPECT_EQ(again, chart.positions());
         }
     }
+}
+
+constexpr ChartKind kinds[] = {ChartKind::plane_or_circle, ChartKind::mean_value, ChartKind::conformal,
+                               ChartKind::low_stretch};
+
+geometry::Disk disk_of(const Piece &piece) {
+    return {piece.filling.quads, piece.filling.boundary, piece.drape.points};
+}
+
+geometry::Points tutte_of(const Piece &piece) {
+    std::vector<double> lengths;
+    for (int i = 0; i < piece.filling.boundary; ++i)
+        lengths.push_back(
+            (piece.drape.points[at((i + 1) % piece.filling.boundary)] - piece.drape.points[at(i)]).norm());
+    return geometry::embed_on_circle(piece.filling.quads, piece.filling.boundary, piece.filling.vertices,
+                                     lengths);
+}
+
+TEST(Chart, IsTheMapThatIsAskedFor) {
+    for (const double height : {low, high}) {
+        const Piece piece = Cap(height).piece();
+        const auto positions = [&](ChartKind kind) {
+            return Chart(piece.filling, piece.drape, kind).positions();
+        };
+        EXPECT_EQ(positions(ChartKind::mean_value), geometry::mean_value_on_circle(disk_of(piece)));
+        EXPECT_EQ(positions(ChartKind::conformal), geometry::conformal(disk_of(piece)));
+        EXPECT_EQ(positions(ChartKind::low_stretch), geometry::low_stretch_on_circle(disk_of(piece)));
+        for (const ChartKind kind : kinds)
+            for (const ChartKind other : kinds)
+                EXPECT_EQ(positions(kind) == positions(other), kind == other);
+    }
+}
+
+TEST(Chart, OfEveryKindLiftsItsVerticesToWhereTheyWere) {
+    for (const ChartKind kind : kinds)
+        for (const double height : {low, high}) {
+            const Cap cap(height);
+            const Piece piece = cap.piece();
+            const Chart chart(piece.filling, piece.drape, kind);
+            EXPECT_TRUE(
+                geometry::is_bijective(piece.filling.quads, piece.filling.boundary, chart.positions()));
+            for (std::size_t v = 0; v < chart.positions().size(); ++v) {
+                const surface::Spot spot = chart.lift(*cap.surface, chart.positions()[v]);
+                EXPECT_LT((spot.point - piece.drape.points[v]).norm(), 1e-12) << height;
+            }
+        }
+}
+
+TEST(Chart, OfEveryKindPlacesOtherFillings) {
+    for (const ChartKind kind : kinds)
+        for (const double height : {low, high}) {
+            const Cap cap(height);
+            const Chart chart(cap.piece().filling, cap.piece().drape, kind);
+            const fill::Filling other = cap.other(6).filling;
+            const geometry::Embedding placed = chart.place(other, {});
+            EXPECT_TRUE(placed.valid);
+            EXPECT_TRUE(geometry::shapes_of(other.quads, placed.positions).valid);
+            for (std::size_t i = 0; i < at(other.boundary); ++i)
+                EXPECT_LT((placed.positions[i] - chart.positions()[i]).norm(), 1e-12);
+        }
+}
+
+// A strip of a spiral ramp: laid in the plane without a circle, its second turn would lie on the first.
+Piece ramp() {
+    const mesh::QuadMesh mesh = mesh::grid(60, 3, [](double s, double t) {
+        const double angle = -3 * std::numbers::pi * s;
+        return Vector3d((2 + t) * std::cos(angle), (2 + t) * std::sin(angle), 0.9 * s);
+    });
+    const auto surface = mesh::surface_of(mesh);
+    const std::vector<int> faces = samples::all_faces(mesh);
+    return {mesh, *surface, faces, patch::make_window(mesh, faces).loop};
+}
+
+TEST(Chart, GivesWayWhereAMapFolds) {
+    const Piece piece = ramp();
+    EXPECT_EQ(Chart(piece.filling, piece.drape, ChartKind::conformal).positions(),
+              geometry::mean_value_on_circle(disk_of(piece)));
+    EXPECT_EQ(Chart(piece.filling, piece.drape).positions(), tutte_of(piece));
+    // Where two vertices are at one place only the connectivity helps.
+    Piece pinched = Cap(high).piece();
+    pinched.drape.points[at(pinched.filling.quads[0][0])] =
+        pinched.drape.points[at(pinched.filling.quads[0][1])];
+    for (const ChartKind kind : {ChartKind::mean_value, ChartKind::low_stretch})
+        EXPECT_EQ(Chart(pinched.filling, pinched.drape, kind).positions(), tutte_of(pinched));
 }
 
 TEST(Chart, SaysWhereAFillingHasNoPlaceInThePlane) {

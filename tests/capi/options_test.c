@@ -18,6 +18,7 @@ static const integer_option integers[] = {
     {AMST_OPT_EDIT_BOUNDARY, 0, 0, 1},
     {AMST_OPT_STRATEGY, 0, 0, 1},
     {AMST_OPT_ALIGN, 0, 0, 1},
+    {AMST_OPT_CHART, 0, 0, 3},
 };
 
 typedef struct real_option {

@@ -21,6 +21,7 @@ contains
         call claim(options%get_int(AMST_OPT_CANDIDATES) == 16, 'candidates')
         call claim(options%get_int(AMST_OPT_NODE_LIMIT) == 1000, 'node limit')
         call claim(options%get_int(AMST_OPT_QUADRANGULATE) == 0, 'quadrangulate')
+        call claim(options%get_int(AMST_OPT_CHART) == 0, 'chart')
         call claim(abs(options%get_real(AMST_OPT_MIN_QUALITY)) <= 0, 'quality')
         call claim(abs(options%get_real(AMST_OPT_MIN_CONVEXITY) - 0.6_real64) <= 0, 'convexity')
         call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 100) <= 0, 'patch faces')
@@ -63,7 +64,7 @@ contains
 
         call a%create()
         call b%create()
-        do k = 0, AMST_OPT_ALIGN
+        do k = 0, AMST_OPT_CHART
             call a%set(k, merge(5 + k, changed(k), k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES))
         end do
         do k = AMST_OPT_MIN_QUALITY, AMST_OPT_TOLERANCE
@@ -71,7 +72,7 @@ contains
         end do
         b = a
         call a%destroy()
-        do k = 0, AMST_OPT_ALIGN
+        do k = 0, AMST_OPT_CHART
             call claim(b%get_int(k) == merge(5 + k, changed(k), &
                 k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES), 'copied integer')
         end do

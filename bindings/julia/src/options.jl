@@ -4,8 +4,8 @@ const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
                      repair_patches = AMST_OPT_REPAIR_PATCHES, candidates = AMST_OPT_CANDIDATES,
                      node_limit = AMST_OPT_NODE_LIMIT, quadrangulate = AMST_OPT_QUADRANGULATE,
                      edit_boundary = AMST_OPT_EDIT_BOUNDARY,
-                     strategy = AMST_OPT_STRATEGY, align = AMST_OPT_ALIGN, min_quality = AMST_OPT_MIN_QUALITY,
-                     min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES,
+                     strategy = AMST_OPT_STRATEGY, align = AMST_OPT_ALIGN, chart = AMST_OPT_CHART,
+                     min_quality = AMST_OPT_MIN_QUALITY, min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES,
                      tolerance = AMST_OPT_TOLERANCE)
 
 # The header's rule for the keys of options and of reports.
@@ -28,6 +28,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `edit_boundary` | 0 | 0 or 1: chords that end on the boundary may be changed |
 | `strategy` | 0 | 0: a whole mesh is adapted by windows, 1: by chords alone |
 | `align` | 0 | 0 or 1: edges of a whole curved mesh turn to its cross field |
+| `chart` | 0 | map of curved patches, 0: a plane or a circle, 1: mean value, 2: conformal, 3: low stretch |
 | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
 | `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
 | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |

@@ -10,13 +10,14 @@
     @test options[:min_convexity] === 0.6
     @test options[:patch_faces] === 100.0
     @test options[:align] == 0
+    @test options[:chart] == 0
     @test options[:tolerance] === 0.5
 end
 
 @testset "settings come back" begin
     options = Options(seed = 2^40 + 7, smooth_steps = 3, repair_patches = false, candidates = 5,
                       node_limit = 10^9, quadrangulate = 1, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12,
-                      align = 1, tolerance = 0.25)
+                      align = 1, chart = 3, tolerance = 0.25)
     @test options[:seed] == 2^40 + 7
     @test options[:smooth_steps] == 3
     @test options[:repair_patches] == 0
@@ -27,6 +28,7 @@ end
     @test options[:min_convexity] == 0.5
     @test options[:patch_faces] === 12.0
     @test options[:align] == 1
+    @test options[:chart] == 3
     @test options[:tolerance] === 0.25
     options[:seed] = 9
     options[1002] = 31.5

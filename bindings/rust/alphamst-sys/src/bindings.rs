@@ -148,6 +148,7 @@ pub const AMST_OPT_QUADRANGULATE: amst_option = 5;
 pub const AMST_OPT_EDIT_BOUNDARY: amst_option = 6;
 pub const AMST_OPT_STRATEGY: amst_option = 7;
 pub const AMST_OPT_ALIGN: amst_option = 8;
+pub const AMST_OPT_CHART: amst_option = 9;
 pub const AMST_OPT_MIN_QUALITY: amst_option = 1000;
 pub const AMST_OPT_MIN_CONVEXITY: amst_option = 1001;
 pub const AMST_OPT_PATCH_FACES: amst_option = 1002;

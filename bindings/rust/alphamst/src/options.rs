@@ -28,6 +28,9 @@ enumeration! {
         Strategy = AMST_OPT_STRATEGY,
         /// Integer 0 or 1, 0: edges of a whole curved mesh turn to its cross field.
         Align = AMST_OPT_ALIGN,
+        /// Integer, 0: map of curved patches, 0: a plane or a circle, 1: mean value, 2: conformal,
+        /// 3: low stretch.
+        Chart = AMST_OPT_CHART,
         /// Real, 0.0: no filling with a scaled Jacobian at or below, 0 to 1.
         MinQuality = AMST_OPT_MIN_QUALITY,
         /// Real, 0.6: a patch below is [`Defects::NOT_CONVEX`](crate::Defects::NOT_CONVEX), 0 to 1.
@@ -183,6 +186,18 @@ impl Options {
     #[must_use]
     pub fn align(self, align: bool) -> Self {
         must(self.with_int(OptionKey::Align, align.into()))
+    }
+
+    /// Sets [`OptionKey::Chart`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options, Status};
+    /// assert_eq!(Options::new().chart(2)?.get_int(OptionKey::Chart)?, 2);
+    /// assert_eq!(Options::new().chart(4).unwrap_err().status, Status::Range);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn chart(self, map: i64) -> Result<Self> {
+        self.with_int(OptionKey::Chart, map)
     }
 
     /// Sets [`OptionKey::MinQuality`].

@@ -4,8 +4,8 @@ use alphamst::*;
 #[test]
 fn defaults_are_those_of_the_header() {
     let options = Options::default();
-    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|key| options.get_int(key).unwrap());
-    assert_eq!(integers, [0, 20, 1, 16, 1000, 0, 0, 0, 0]);
+    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [0, 20, 1, 16, 1000, 0, 0, 0, 0, 0]);
     let reals = [1000, 1001, 1002, 1003].map(|key| options.get_real(key).unwrap());
     assert_eq!(reals, [0.0, 0.6, 100.0, 0.5]);
 }
@@ -33,10 +33,12 @@ fn every_setter_sets_its_own_key() {
         .strategy(1)
         .unwrap()
         .align(true)
+        .chart(2)
+        .unwrap()
         .tolerance(0.125)
         .unwrap();
-    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|key| options.get_int(key).unwrap());
-    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000, 1, 1, 1, 1]);
+    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000, 1, 1, 1, 1, 2]);
     let reals = [1000, 1001, 1002, 1003].map(|key| options.get_real(key).unwrap());
     assert_eq!(reals, [0.25, 0.75, 12.5, 0.125]);
     assert!(format!("{options:?}").contains("SmoothSteps"));
