@@ -613,7 +613,11 @@ AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double a
 AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches,
                                                const amst_options *options, amst_report **report);
 /* Move interior vertices of the patches, or of the mesh if patches is NULL; flagged
- * ones stay, and so does the revision. */
+ * ones stay, and so does the revision. On a curved mesh a vertex with two edges that are
+ * FEATURE, numbered or borders of regions, both alike, slides between its neighbours on
+ * them where the curve is straight, as it was when an operation first found it so flagged;
+ * so no curve changes. FIXED and CORNER vertices stay. The same holds for whole meshes in
+ * amst_adapt and amst_reduce_singularities. */
 AMST_API amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst_options *options,
                                  amst_report **report);
 /* Remove doublets and split valences above 5. The revision rises if there were any. */

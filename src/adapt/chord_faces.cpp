@@ -6,6 +6,7 @@
 #include "adapt/ground.h"
 #include "adapt/locate.h"
 #include "adapt/tally.h"
+#include "mesh/reference.h"
 #include "quality/metric.h"
 
 namespace alphamst::adapt {
@@ -89,7 +90,11 @@ mesh::QuadMesh::Collapsed remove(mesh::QuadMesh &mesh, const chord::Chord &chord
 }
 
 void keep_surface(mesh::QuadMesh &mesh) {
-    if (mesh.dim() == 3 && !mesh.surface)
+    if (mesh.dim() != 3)
+        return;
+    if (mesh.surface)
+        mesh.curves = mesh::curves_of(mesh);
+    else
         ground_of(mesh);
 }
 

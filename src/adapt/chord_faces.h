@@ -26,7 +26,7 @@ OpenMesh::Vec3d place_of(const mesh::QuadMesh &mesh, const chord::Group &group);
 mesh::QuadMesh::Collapsed remove(mesh::QuadMesh &mesh, const chord::Chord &chord,
                                  const chord::Collapse &verdict, std::vector<int> &survivors);
 
-// A curved mesh keeps to the surface that it was before anything changes.
+// A curved mesh keeps to the surface and to the curves of features that it had before anything changes.
 void keep_surface(mesh::QuadMesh &mesh);
 
 // What is told of an operation on the whole mesh.

@@ -89,6 +89,7 @@ Ground ground_of(mesh::QuadMesh &mesh) {
         return ground;
     if (!mesh.surface)
         mesh.surface = mesh::surface_of(mesh);
+    mesh.curves = mesh::curves_of(mesh);
     ground.surface = mesh.surface;
     const bool same = same_points(mesh, *ground.surface);
     for (int v = 0; v < mesh.n_vertices(); ++v) {

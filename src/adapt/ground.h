@@ -31,7 +31,8 @@ struct Ground {
     std::vector<double> scaled_jacobians(const mesh::QuadMesh &mesh) const;
 };
 
-// Of the whole mesh. Where that is curved and keeps to no surface yet, it does so from now on: to itself.
+// Of the whole mesh. Where that is curved and keeps to no surface yet, it does so from now on: to itself. Its
+// features keep to their curves likewise.
 Ground ground_of(mesh::QuadMesh &mesh);
 
 // For patches: the surface, where one of them is curved or the mesh keeps to one already.

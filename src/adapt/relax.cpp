@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "adapt/locate.h"
+#include "adapt/rails.h"
 #include "adapt/shaping.h"
 #include "adapt/tally.h"
 #include "adapt/workers.h"
@@ -94,17 +95,27 @@ std::vector<int> spoiled(const mesh::QuadMesh &mesh, const std::vector<double> &
     return faces;
 }
 
+// The faces of vertices that have come past a neighbour on their rail, as when only that one was taken back.
+void add_passed(const mesh::QuadMesh &mesh, const geometry::Drape &drape,
+                std::span<const geometry::Rail> rails, std::vector<int> &faces) {
+    for (std::size_t v = 0; v < rails.size(); ++v)
+        if (rails[v] && !rails[v].holds(drape.points[v], drape.points))
+            for (const int f : mesh.faces_around(static_cast<int>(v)))
+                faces.push_back(f);
+}
+
 // Takes vertices back to where they started from around quads that are spoiled and around samples of the
 // surface that would be too far from the mesh; false if some still are.
 bool keep_good(const mesh::QuadMesh &mesh, const std::optional<Coverage> &coverage,
                const geometry::Drape &start, geometry::Drape &drape, std::vector<Coverage::Owner> &owners,
-               const geometry::Run &run) {
+               const geometry::Run &run, std::span<const geometry::Rail> rails) {
     constexpr int most_rounds = 8;
     const std::vector<double> before = geometry::scaled_jacobians(mesh.faces(), start);
     std::vector<int> all(at(mesh.n_faces()));
     std::iota(all.begin(), all.end(), 0);
     for (int round = 0; round < most_rounds; ++round) {
         std::vector<int> bad = spoiled(mesh, before, drape);
+        add_passed(mesh, drape, rails, bad);
         if (coverage) {
             std::vector<Quad> quads(all.size());
             for (std::size_t f = 0; f < quads.size(); ++f)
@@ -124,12 +135,17 @@ bool keep_good(const mesh::QuadMesh &mesh, const std::optional<Coverage> &covera
     return false;
 }
 
-void relax_draped(mesh::QuadMesh &mesh, Ground &ground, std::span<const char> fixed,
-                  const geometry::EmbedOptions &options) {
+void relax_draped(mesh::QuadMesh &mesh, Ground &ground, std::vector<char> fixed,
+                  geometry::EmbedOptions options) {
+    const std::vector<geometry::Rail> rails = rails_of(mesh);
+    for (std::size_t v = 0; v < rails.size(); ++v)
+        if (rails[v])
+            fixed[v] = 0;
+    options.rails = rails;
     const geometry::Drape start = ground.drape(mesh);
     geometry::Drape drape = start;
     geometry::improve(*ground.surface, mesh.faces(), fixed, drape, options);
-    settle(mesh, ground, start, drape, options.run);
+    settle(mesh, ground, start, drape, options.run, rails);
 }
 
 } // namespace
@@ -142,9 +158,9 @@ std::vector<char> immovable(const mesh::QuadMesh &mesh) {
 }
 
 bool settle(mesh::QuadMesh &mesh, Ground &ground, const geometry::Drape &start, geometry::Drape &drape,
-            const geometry::Run &run) {
+            const geometry::Run &run, std::span<const geometry::Rail> rails) {
     std::vector<Coverage::Owner> owners;
-    if (!keep_good(mesh, ground.coverage, start, drape, owners, run))
+    if (!keep_good(mesh, ground.coverage, start, drape, owners, run, rails))
         return false;
     if (ground.coverage) {
         std::vector<int> faces(at(mesh.n_faces()));
@@ -163,14 +179,14 @@ bool settle(mesh::QuadMesh &mesh, Ground &ground, const geometry::Drape &start, 
 
 void relax(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &density,
            const Settings &settings) {
-    const std::vector<char> fixed = immovable(mesh);
+    std::vector<char> fixed = immovable(mesh);
     const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
     const Workers workers(settings.threads);
     const geometry::EmbedOptions options = whole_shaping(settings, workers, area);
     if (ground.plane)
         relax_flat(mesh, *ground.plane, fixed, options);
     else
-        relax_draped(mesh, ground, fixed, options);
+        relax_draped(mesh, ground, std::move(fixed), options);
 }
 
 void fit(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &density,

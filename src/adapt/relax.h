@@ -7,8 +7,8 @@
 
 namespace alphamst::adapt {
 
-// Moves all vertices that may move. The smallest scaled Jacobian of the mesh never falls, and no
-// corner turns over.
+// Moves all vertices that may move, on a surface also along straight features. The smallest scaled Jacobian
+// of the mesh never falls, and no corner turns over.
 void relax(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &density,
            const Settings &settings);
 
@@ -17,12 +17,12 @@ void relax(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &d
 void fit(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &density,
          const Settings &settings);
 
-// 1 for vertices that nothing may move.
+// 1 for vertices that do not move freely.
 std::vector<char> immovable(const mesh::QuadMesh &mesh);
 
 // Moves the vertices of a curved mesh from where they are, `start`, to `drape`; where that spoils quads or
-// uncovers the surface they stay. False if all do.
+// uncovers the surface they stay, and so do those on rails that would come past each other. False if all do.
 bool settle(mesh::QuadMesh &mesh, Ground &ground, const geometry::Drape &start, geometry::Drape &drape,
-            const geometry::Run &run);
+            const geometry::Run &run, std::span<const geometry::Rail> rails = {});
 
 } // namespace alphamst::adapt

@@ -5,16 +5,18 @@
 
 #include "adapt/ground.h"
 #include "adapt/locate.h"
+#include "adapt/rails.h"
 #include "adapt/shaping.h"
+#include "mesh/reference.h"
 #include "patch/region.h"
 
 namespace alphamst::adapt {
 namespace {
 
-// Some faces and their vertices; the free ones are inside and not pinned.
+// Some faces and their vertices; the free ones are inside and not pinned, the sliding ones inside and on
+// rails.
 struct Part {
     Part(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
-        std::unordered_map<int, int> local;
         for (const int f : faces) {
             std::array<int, 4> quad = mesh.corners(f);
             for (int &v : quad) {
@@ -30,7 +32,25 @@ struct Part {
             for (const int v : quad)
                 ++inside[static_cast<std::size_t>(v)];
         for (std::size_t i = 0; i < vertices.size(); ++i)
-            fixed.push_back(inside[i] != mesh.valence(vertices[i]) || patch::pinned(mesh, vertices[i]));
+            fixed.push_back(inside[i] != mesh.valence(vertices[i]) ? border
+                            : patch::pinned(mesh, vertices[i])     ? held
+                                                                   : 0);
+    }
+
+    // From now on, where the mesh has lines for that.
+    void let_slide(const mesh::QuadMesh &mesh) {
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            if (fixed[i] != held)
+                continue;
+            geometry::Rail rail = rail_of(mesh, vertices[i]);
+            if (!rail)
+                continue;
+            for (int &v : rail.between)
+                v = local.at(v);
+            rails.resize(vertices.size());
+            rails[i] = rail;
+            fixed[i] = 0;
+        }
     }
 
     void put(mesh::QuadMesh &mesh, const std::function<Eigen::Vector3d(std::size_t)> &place) const {
@@ -41,9 +61,13 @@ struct Part {
             }
     }
 
-    std::vector<int> vertices; // of the mesh
+    static constexpr char border = 1, held = 2;
+
+    std::unordered_map<int, int> local; // vertex of the mesh -> of the part
+    std::vector<int> vertices;          // of the mesh
     std::vector<std::array<int, 4>> quads;
     std::vector<char> fixed;
+    std::vector<geometry::Rail> rails; // empty: there are none
 };
 
 void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &plane,
@@ -60,14 +84,27 @@ void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &
 
 void smooth_draped(mesh::QuadMesh &mesh, const Part &part, const Ground &ground, const Settings &settings,
                    Outcome &outcome) {
-    geometry::Drape drape = drape_of(mesh, *ground.surface, ground.anchors, part.vertices);
-    outcome.quality_before = geometry::judge(part.quads, drape).min_scaled_jacobian;
-    const double improved =
-        geometry::improve(*ground.surface, part.quads, part.fixed, drape, shaping(settings))
-            .min_scaled_jacobian;
-    outcome.quality_after = std::max(outcome.quality_before, improved);
-    if (improved >= outcome.quality_before)
-        part.put(mesh, [&](std::size_t i) { return drape.points[i]; });
+    const geometry::Drape start = drape_of(mesh, *ground.surface, ground.anchors, part.vertices);
+    outcome.quality_before = geometry::judge(part.quads, start).min_scaled_jacobian;
+    const auto try_with = [&](const Part &tried) {
+        geometry::Drape drape = start;
+        geometry::EmbedOptions options = shaping(settings);
+        options.rails = tried.rails;
+        const double improved =
+            geometry::improve(*ground.surface, tried.quads, tried.fixed, drape, options).min_scaled_jacobian;
+        outcome.quality_after = std::max(outcome.quality_before, improved);
+        if (!(improved >= outcome.quality_before))
+            return false;
+        tried.put(mesh, [&](std::size_t i) { return drape.points[i]; });
+        return true;
+    };
+    if (mesh.curves) {
+        Part sliding = part;
+        sliding.let_slide(mesh);
+        if (!sliding.rails.empty() && try_with(sliding))
+            return;
+    }
+    try_with(part);
 }
 
 Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const Settings &settings) {
@@ -102,6 +139,8 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
 std::vector<Outcome> smooth(mesh::QuadMesh &mesh, const std::vector<Region> *patches,
                             const Settings &settings, const Progress &progress) {
     std::vector<Outcome> outcomes;
+    if (mesh.dim() == 3)
+        mesh.curves = mesh::curves_of(mesh);
     if (patches == nullptr) {
         progress(0, "smooth");
         std::vector<int> faces(static_cast<std::size_t>(mesh.n_faces()));

@@ -8,6 +8,7 @@
 
 #include "geometry/relax.h"
 #include "geometry/sweep.h"
+#include "geometry/unfold.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -96,6 +97,7 @@ struct TangentStar {
     std::vector<Sector> sectors;
     Points points;
     Vector3d along, across;
+    const Rail *rail = nullptr; // that the vertex is on; then the plane is unfolded about it
 
     // Of the surface as coarsely as the quads see it: where it bends within one, a normal at a point
     // tells little.
@@ -107,8 +109,17 @@ struct TangentStar {
         return length > 0 ? Vector3d(sum / length) : drape.normals[at(vertex)];
     }
 
-    void lay(const Problem &problem, const Drape &drape, int vertex) {
+    Freedom freedom() const { return rail ? Freedom::line : Freedom::plane; }
+
+    void lay(const Problem &problem, const Drape &drape, int vertex, std::span<const Rail> rails) {
         const Vector3d &origin = drape.points[at(vertex)];
+        rail = !rails.empty() && rails[at(vertex)] ? &rails[at(vertex)] : nullptr;
+        if (rail) {
+            unfold(problem.stars.at(vertex), drape.points, vertex, *rail, sectors, points);
+            along = (drape.points[at(rail->between[1])] - drape.points[at(rail->between[0])]).normalized();
+            across.setZero();
+            return;
+        }
         const Vector3d normal = normal_of(problem, drape, vertex);
         along = normal.unitOrthogonal();
         across = normal.cross(along);
@@ -174,17 +185,18 @@ private:
             return false;
         awake_[at(v)] = 0;
         thread_local TangentStar star;
-        star.lay(problem_, drape_, v);
+        star.lay(problem_, drape_, v, options_.rails);
         const double least = least_determinant(star);
         Barrier barrier{.theta = size_weight, .area = problem_.area};
         double distance = 0;
         if (!(least > tight)) {
             barrier.epsilon = std::max(0.3 * std::max(0.0, -least), softest * std::pow(0.5, step_) + 1e-3);
-            distance = relax(barrier, star.sectors, star.points, 0, no_floor);
+            distance = relax(barrier, star.sectors, star.points, 0, no_floor, star.freedom());
             barrier.epsilon = 0;
         }
         if (least_determinant(star) > 0)
-            distance = std::max(distance, relax(barrier, star.sectors, star.points, 0, no_floor));
+            distance =
+                std::max(distance, relax(barrier, star.sectors, star.points, 0, no_floor, star.freedom()));
         if (!land(v, star, least) || distance <= still * still * problem_.area[at(sectors[0].quad)])
             return false;
         awake_[at(v)] = 1;
@@ -199,10 +211,11 @@ private:
         const auto sectors = problem_.stars.at(v);
         if (sectors.empty())
             return;
-        star.lay(problem_, drape_, v);
+        star.lay(problem_, drape_, v, options_.rails);
         const double least = least_determinant(star);
-        if (least > 0 && geometry::sharpen(star.sectors, star.points, 0, floor,
-                                           options_.least_area * problem_.area[at(sectors[0].quad)]) > 0)
+        if (least > 0 &&
+            geometry::sharpen(star.sectors, star.points, 0, floor,
+                              options_.least_area * problem_.area[at(sectors[0].quad)], star.freedom()) > 0)
             land(v, star, least);
     }
 
@@ -213,7 +226,10 @@ private:
             return false;
         const Vector3d from = drape_.points[at(v)];
         const Vector3d flat = from + star.points[0].x() * star.along + star.points[0].y() * star.across;
-        const surface::Spot spot = surface_.follow(flat, drape_.anchors[at(v)]);
+        const surface::Spot spot =
+            star.rail ? spot_on(*star.rail, flat, v) : surface_.follow(flat, drape_.anchors[at(v)]);
+        if (star.rail && !star.rail->holds(spot.point, drape_.points))
+            return false;
         const Vector3d way = spot.point - from;
         star.points[0] = {way.dot(star.along), way.dot(star.across)};
         if (const double now = least_determinant(star); !(now > 0) && now < least)
@@ -229,6 +245,14 @@ private:
             return false;
         drape_.put(v, spot);
         return true;
+    }
+
+    // On the line to the last bit, whatever the surface is; on the side of the crease where it was.
+    surface::Spot spot_on(const Rail &rail, const Vector3d &p, int v) const {
+        const Vector3d point = rail.line.at(rail.line.place(p));
+        surface::Spot spot = surface_.nearest(point, drape_.normals[at(v)]);
+        spot.point = point;
+        return spot;
     }
 
     double worst_around(int v) const {

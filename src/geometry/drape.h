@@ -29,7 +29,8 @@ std::vector<double> scaled_jacobians(Quads quads, const Drape &drape);
 
 // Moves the free vertices over the surface for squarer quads of the wanted areas: each by Newton steps in
 // its tangent plane, and back to the surface by the shortest way from where it was. Corners that are not
-// positive are turned over where that comes soon. Returns how the quads are then.
+// positive are turned over where that comes soon. Those on rails, which are free, too, move along these
+// alone: exactly on their lines, and never past the vertices that bound them. Returns how the quads are then.
 Judgement improve(const surface::Surface &surface, Quads quads, std::span<const char> fixed, Drape &drape,
                   const EmbedOptions &options);
 

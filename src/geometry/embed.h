@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/judgement.h"
+#include "geometry/rail.h"
 
 namespace alphamst::geometry {
 
@@ -35,6 +36,8 @@ struct EmbedOptions {
     bool patient = true;               // false: untangle only what comes right soon
     double least_area = 0.005;         // of a corner, over the wanted one, that the smallest angles may cost
     std::span<const double> area = {}; // improve: [quad] wanted; empty: all equal
+    // improve on a surface: [vertex] where those that are on a rail may go; empty: there are none.
+    std::span<const Rail> rails = {};
     // improve: with it, vertices move in classes that do not touch; the result does not depend on how it
     // runs them.
     Run run = {};

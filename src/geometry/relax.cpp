@@ -26,6 +26,14 @@ bool newton_step(Expansion e, Vector2d &step) {
     return std::isfinite(step.x()) && std::isfinite(step.y());
 }
 
+// What is left of an expansion on the line: a step of Newton's method stays on it.
+void restrict_to(Freedom freedom, Expansion &e) {
+    if (freedom == Freedom::plane)
+        return;
+    e.gy = e.hxy = 0;
+    e.hyy = std::abs(e.hxx);
+}
+
 // Halves the step until `energy` falls enough and the floor holds.
 template <class Energy>
 double search(const Expansion &e, std::span<const Sector> star, Points &points, int vertex, Floor floor,
@@ -109,15 +117,18 @@ inline void add_sharp(Expansion &e, const Angle &corner, const Turn &t, double r
 
 } // namespace
 
-double relax(const Barrier &barrier, std::span<const Sector> star, Points &points, int vertex, Floor floor) {
-    const Expansion e = expand(barrier, star, points, points[static_cast<std::size_t>(vertex)]);
+double relax(const Barrier &barrier, std::span<const Sector> star, Points &points, int vertex, Floor floor,
+             Freedom freedom) {
+    Expansion e = expand(barrier, star, points, points[static_cast<std::size_t>(vertex)]);
+    restrict_to(freedom, e);
     if (barrier.epsilon == 0 && floor <= 0)
         floor = no_floor; // the barrier alone keeps every corner positive
     return search(e, star, points, vertex, floor,
                   [&](const Vector2d &x) { return value(barrier, star, points, x); });
 }
 
-double sharpen(std::span<const Sector> star, Points &points, int vertex, Floor floor, double smallest) {
+double sharpen(std::span<const Sector> star, Points &points, int vertex, Floor floor, double smallest,
+               Freedom freedom) {
     const Vector2d x = points[static_cast<std::size_t>(vertex)];
     const double worst = worst_corner(star, points, x);
     if (!(worst > 0))
@@ -142,6 +153,7 @@ double sharpen(std::span<const Sector> star, Points &points, int vertex, Floor f
         add_sharp(e, behind, {-at_previous.gx, -at_previous.gy, -at_previous.hxx, -at_previous.hxy},
                   reference);
     }
+    restrict_to(freedom, e);
     return search(e, star, points, vertex, floor,
                   [&](const Vector2d &y) { return sharp_value(star, points, y, reference, smallest); });
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/feature.h"
 #include "surface/cross_field.h"
 #include "surface/principal.h"
 
@@ -27,10 +28,6 @@ constexpr double bend_weight = 8, most_bend_weight = 4;
 constexpr int rounds = 2; // of averaging curvatures
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-template <class Value> Value value(const std::vector<Value> &values, int i) {
-    return at(i) < values.size() ? values[at(i)] : Value{};
-}
 
 // Where a mesh is, moved and scaled to a box of side 2, so that no product overflows.
 class Places {
@@ -79,13 +76,6 @@ Vector3d normal(const Vector3d &area) {
 
 std::array<int, 2> side_of(const std::array<int, 4> &corners, std::size_t i) {
     return {corners[i], corners[(i + 1) % 4]};
-}
-
-bool on_curve(const QuadMesh &mesh, int edge) {
-    const auto [left, right] = mesh.edge_faces(edge);
-    return left < 0 || right < 0 || (value(mesh.edge_flags, edge) & feature) != 0 ||
-           value(mesh.edge_marker, edge) != 0 ||
-           value(mesh.face_marker, left) != value(mesh.face_marker, right);
 }
 
 // Of faces across edges: the weight is how long the edge is, seen from one face to the other, over how far

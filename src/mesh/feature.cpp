@@ -78,6 +78,11 @@ std::vector<int> corners_of(const QuadMesh &mesh, const std::vector<bool> &on_cu
     return corners;
 }
 
+// Flags and markers may be left out.
+template <class Value> Value value(const std::vector<Value> &values, int i) {
+    return static_cast<std::size_t>(i) < values.size() ? values[static_cast<std::size_t>(i)] : Value{};
+}
+
 } // namespace
 
 Features find_features(const QuadMesh &mesh, double angle) {
@@ -88,6 +93,13 @@ Features find_features(const QuadMesh &mesh, double angle) {
     for (const int e : edges)
         on_curve[static_cast<std::size_t>(e)] = true;
     return {std::move(edges), corners_of(mesh, on_curve)};
+}
+
+bool on_curve(const QuadMesh &mesh, int edge) {
+    const auto [left, right] = mesh.edge_faces(edge);
+    return left < 0 || right < 0 || (value(mesh.edge_flags, edge) & feature) != 0 ||
+           value(mesh.edge_marker, edge) != 0 ||
+           value(mesh.face_marker, left) != value(mesh.face_marker, right);
 }
 
 } // namespace alphamst::mesh

@@ -17,4 +17,7 @@ struct Features {
 // those where a curve turns by more than 60 degrees.
 Features find_features(const QuadMesh &mesh, double angle);
 
+// On the boundary, or a feature: flagged as that, numbered or between two regions.
+bool on_curve(const QuadMesh &mesh, int edge);
+
 } // namespace alphamst::mesh

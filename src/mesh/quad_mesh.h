@@ -14,8 +14,9 @@
 #include "mesh/field.h"
 
 namespace alphamst::surface {
+class Curves;
 class Surface;
-}
+} // namespace alphamst::surface
 
 namespace alphamst::mesh {
 
@@ -84,6 +85,9 @@ public:
     // What the vertices keep to while they move, shared by copies; not in the checksum. Null: as
     // surface_of, see mesh/reference.h, makes it when the first operation on a curved mesh begins.
     std::shared_ptr<const surface::Surface> surface;
+    // What vertices on features slide along, likewise. Brought up to date, see curves_of in
+    // mesh/reference.h, when an operation begins that lets them.
+    std::shared_ptr<const surface::Curves> curves;
 
     // Where each vertex, edge and face was when origins were last reset; -1 if new.
     std::vector<std::int32_t> vertex_origin, edge_origin, face_origin;

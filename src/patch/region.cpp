@@ -56,6 +56,32 @@ bool pinned(const mesh::QuadMesh &mesh, int v) {
     return false;
 }
 
+std::optional<std::array<int, 2>> slide(const mesh::QuadMesh &mesh, int v) {
+    if (mesh.isolated(v) || mesh.on_boundary(v) || (at(mesh.vertex_flags, v) & ~mesh::feature) != 0)
+        return std::nullopt;
+    const Kernel &kernel = mesh.kernel();
+    const Halfedge start = kernel.halfedge_handle(Kernel::VertexHandle(v));
+    std::array<int, 2> others{-1, -1}, edges{-1, -1};
+    std::size_t n = 0;
+    Halfedge h = start;
+    do {
+        if ((at(mesh.face_flags, left(mesh, h)) & mesh::fixed) != 0)
+            return std::nullopt;
+        if (barrier(mesh, h)) {
+            if (n == 2)
+                return std::nullopt;
+            edges[n] = kernel.edge_handle(h).idx();
+            others[n++] = to(mesh, h);
+        }
+        h = kernel.opposite_halfedge_handle(kernel.prev_halfedge_handle(h));
+    } while (h != start);
+    if (n != 2 || (at(mesh.edge_flags, edges[0]) & ~mesh::feature) != 0 ||
+        at(mesh.edge_flags, edges[0]) != at(mesh.edge_flags, edges[1]) ||
+        at(mesh.edge_marker, edges[0]) != at(mesh.edge_marker, edges[1]))
+        return std::nullopt;
+    return others;
+}
+
 Region::Region(const mesh::QuadMesh &mesh, std::span<const int> given) : faces(sorted_unique(given)) {
     std::vector<int> corners, rim;
     corners.reserve(4 * faces.size());

@@ -34,8 +34,8 @@ QuadMesh grid(int n, int m, const Place &place, bool round = false, bool tube = 
     return QuadMesh::build(dim, points, faces);
 }
 
-// The sphere of radius 1 around the origin: the sides of a cube, each n by n faces of equal angles.
-inline QuadMesh sphere(int n) {
+// The sides of a cube, each n by n faces, a vertex at place(Vector3d) of three numbers 0..n.
+template <class Place> QuadMesh cube(int n, const Place &place) {
     std::vector<double> points;
     std::vector<std::int32_t> faces;
     std::map<std::array<int, 3>, int> ids;
@@ -46,10 +46,7 @@ inline QuadMesh sphere(int n) {
         key[(axis + 2) % 3] = j;
         const auto [entry, added] = ids.emplace(key, static_cast<int>(ids.size()));
         if (added) {
-            Eigen::Vector3d p;
-            for (std::size_t k = 0; k < 3; ++k)
-                p[static_cast<Eigen::Index>(k)] = std::tan(std::numbers::pi / 4 * (2.0 * key[k] / n - 1));
-            p.normalize();
+            const Eigen::Vector3d p = place(Eigen::Vector3d(key[0], key[1], key[2]));
             points.insert(points.end(), {p.x(), p.y(), p.z()});
         }
         return entry->second;
@@ -65,6 +62,16 @@ inline QuadMesh sphere(int n) {
                     faces.insert(faces.end(), quad.begin(), quad.end());
                 }
     return QuadMesh::build(3, points, faces);
+}
+
+// The sphere of radius 1 around the origin: the sides of a cube, each n by n faces of equal angles.
+inline QuadMesh sphere(int n) {
+    return cube(n, [n](const Eigen::Vector3d &i) {
+        Eigen::Vector3d p;
+        for (int k = 0; k < 3; ++k)
+            p[k] = std::tan(std::numbers::pi / 4 * (2.0 * i[k] / n - 1));
+        return Eigen::Vector3d(p.normalized());
+    });
 }
 
 } // namespace alphamst::mesh

@@ -86,5 +86,70 @@ TEST(Reference, IsWhatTheCallerSays) {
     amst_context_destroy(context);
 }
 
+void set_feature(QuadMesh &mesh, int v, int w) {
+    mesh.edge_flags.resize(static_cast<std::size_t>(mesh.n_edges()));
+    mesh.edge_flags[static_cast<std::size_t>(mesh.find_edge(v, w))] = feature;
+}
+
+// The lengths of the curves that the mesh would have, ascending.
+std::vector<double> lengths(const QuadMesh &mesh) {
+    std::vector<double> result;
+    if (const auto curves = curves_of(mesh))
+        for (const surface::Line &line : curves->lines())
+            result.push_back((line.end - line.start).norm());
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+TEST(Curves, AreFeaturesNumbersAndBordersInside) {
+    QuadMesh mesh = plane(4, 4).build(3); // vertex (i, j) is 5 j + i
+    EXPECT_TRUE(lengths(mesh).empty());
+    set_feature(mesh, 6, 7);
+    set_feature(mesh, 7, 8);
+    set_feature(mesh, 1, 2); // on the boundary, where nothing moves
+    EXPECT_EQ(lengths(mesh), std::vector<double>{2});
+    mesh.edge_flags.clear();
+    mesh.edge_marker.assign(static_cast<std::size_t>(mesh.n_edges()), 0);
+    mesh.edge_marker[static_cast<std::size_t>(mesh.find_edge(6, 11))] = 3;
+    EXPECT_EQ(lengths(mesh), std::vector<double>{1});
+    mesh.edge_marker.clear();
+    mesh.face_marker.assign(16, 1);
+    mesh.face_marker[5] = mesh.face_marker[6] = 2;
+    EXPECT_EQ(lengths(mesh), (std::vector<double>{1, 1, 2, 2}));
+}
+
+TEST(Curves, StayWhatTheyWereUntilFeaturesLieElsewhere) {
+    QuadMesh mesh = plane(4, 4).build(3);
+    const std::uint64_t before = mesh.checksum();
+    for (const int v : {10, 11, 12, 13})
+        set_feature(mesh, v, v + 1);
+    mesh.curves = curves_of(mesh);
+    const auto first = mesh.curves;
+    EXPECT_EQ(QuadMesh(mesh).curves, first);
+    EXPECT_EQ(curves_of(mesh), first);
+    // Along the line, also to where rounding leaves it.
+    mesh.set_point(12, {2.7, 2 + 1e-13, 0});
+    EXPECT_EQ(curves_of(mesh), first);
+    mesh.edge_flags.assign(mesh.edge_flags.size(), 0);
+    EXPECT_EQ(curves_of(mesh), first); // they may be flagged again
+    EXPECT_NE(mesh.checksum(), before);
+    // New features do not change the old ones: the vertex that was moved is not on the line to the last bit.
+    for (const int v : {10, 11, 12, 13})
+        set_feature(mesh, v, v + 1);
+    set_feature(mesh, 2, 7);
+    mesh.curves = curves_of(mesh);
+    ASSERT_EQ(mesh.curves->lines().size(), 2u);
+    EXPECT_EQ(mesh.curves->lines()[0].start, first->lines()[0].start);
+    EXPECT_EQ(mesh.curves->lines()[0].end, first->lines()[0].end);
+    // Two of four edges are put elsewhere; later all are.
+    mesh.set_point(12, {2, 2.5, 0});
+    mesh.curves = curves_of(mesh);
+    EXPECT_EQ(mesh.curves->lines().size(), 4u);
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        mesh.set_point(v, mesh.point(v) + OpenMesh::Vec3d(0, 0, 1));
+    mesh.curves = curves_of(mesh);
+    EXPECT_EQ(mesh.curves->lines().size(), 5u); // of before there are none left
+}
+
 } // namespace
 } // namespace alphamst::mesh

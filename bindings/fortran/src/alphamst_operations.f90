@@ -63,7 +63,8 @@ contains
         call finish(status, told, report, stat, errmsg)
     end subroutine alphamst_reduce_singularities
 
-    !> Move interior vertices of the patches, or of the mesh without them; flagged ones stay.
+    !> Move interior vertices of the patches, or of the mesh without them; flagged ones stay,
+    !> but for those on straight features of a curved mesh, which slide along them.
     subroutine alphamst_smooth(mesh, patches, options, report, stat, errmsg)
         type(amst_mesh), intent(inout) :: mesh
         type(amst_patches), intent(in), optional :: patches

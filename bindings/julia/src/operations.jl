@@ -51,8 +51,8 @@ end
 """
     smooth!(mesh, patches = nothing; settings...)
 
-Move the interior vertices of the patches, or of the whole mesh; flagged ones stay, and so does the
-revision. Gives a [`Report`](@ref). Throws as [`adapt!`](@ref).
+Move the interior vertices of the patches, or of the whole mesh; flagged ones stay, but for
+those on straight features of a curved mesh, which slide along them; the revision stays, too. Gives a [`Report`](@ref). Throws as [`adapt!`](@ref).
 """
 function smooth!(mesh::Mesh, patches::Union{Patches,Nothing} = nothing; options = nothing, settings...)
     given = chosen(options, settings)

@@ -63,8 +63,8 @@ impl Mesh {
         })
     }
 
-    /// Moves interior vertices of the patches, or of the mesh without patches; flagged ones stay, and so
-    /// does the revision.
+    /// Moves interior vertices of the patches, or of the mesh without patches; flagged ones stay, but for
+    /// those on straight features of a curved mesh, which slide along them. The revision stays, too.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]

@@ -1,0 +1,47 @@
+// Curves: the polylines that the features of a mesh keep to, as the straight lines they consist of.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace alphamst::surface {
+
+struct Line {
+    Eigen::Vector3d start = Eigen::Vector3d::Zero(), end = Eigen::Vector3d::Zero();
+
+    // Of the point of the infinite line that is nearest: 0 at the start, 1 at the end; 0 without length.
+    double place(const Eigen::Vector3d &p) const;
+    Eigen::Vector3d at(double place) const { return start + place * (end - start); }
+    double distance(const Eigen::Vector3d &p) const; // from the line between start and end
+};
+
+// Const and safe for any number of threads once made. Who moves on them asks for a line that holds the point
+// and its neighbours, and stays between these: so there is no way from one curve to another.
+class Curves {
+public:
+    // Edges, by the ids of their points, are joined where two of them meet and nothing bends: all points on
+    // the way are within the tolerance of the line, which is there for rounding. Given lines come first.
+    Curves(std::span<const Eigen::Vector3d> points, std::span<const std::array<int, 2>> edges,
+           double tolerance, std::vector<Line> given = {});
+    Curves(const Curves &) = delete;
+    Curves &operator=(const Curves &) = delete;
+    ~Curves();
+
+    // The first line with all the points within the tolerance, -1 if there is none.
+    int find(std::span<const Eigen::Vector3d> points) const;
+    const std::vector<Line> &lines() const { return lines_; }
+
+private:
+    struct Tree;
+
+    void add_straight(std::span<const Eigen::Vector3d> way);
+
+    double tolerance_;
+    std::vector<Line> lines_;
+    std::unique_ptr<const Tree> tree_;
+};
+
+} // namespace alphamst::surface
