@@ -602,7 +602,7 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * is the map that lays a curved patch, given or window, in the plane to be filled: 0
  * projects it where it turns little, else has each vertex on a disk amid its neighbours
  * (Tutte), 1 has it there by mean value coordinates, 2 keeps angles and lets the boundary
- * go where it wants, 3 keeps areas on the disk, too. A map that folds is not used: 2 and 3
+ * go where it wants, 3 stretches less on the disk. A map that folds is not used: 2 and 3
  * give way to 1, and that to Tutte's, which never does.
  * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,

@@ -23,7 +23,7 @@ enum class ChartKind {
     plane_or_circle, // a projection where it turns little, else on a circle
     mean_value,      // on a circle
     conformal,       // loop and all where angles are kept best
-    low_stretch      // on a circle, with areas in mind
+    low_stretch      // on a circle, stretched less
 };
 
 struct Settings {

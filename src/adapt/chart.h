@@ -14,9 +14,9 @@ namespace alphamst::adapt {
 // What lies at the same place of the chart lies at the same place of the surface, so that a new filling
 // begins where the old one was. Where the loop keeps a shape of its own, in a projection on a plane or a
 // conformal map, fillings get their shape there. Otherwise it is on a circle, spaced by length, in which any
-// filling of it has a place without a face turned over, however curved the surface is (Tutte 1963). No kind
-// but that of Tutte is taken where it folds: conformal and low stretch give way to mean values, and those to
-// him. By default he has the circle, since mean values made no fewer singularities and took no less time.
+// filling of it has a place without a face turned over, however curved the surface is (Tutte 1963). A map
+// that folds is not taken: conformal and low stretch give way to mean values, and those to Tutte's. His is
+// the one by default, since mean values in its place made no fewer singularities and took no less time.
 class Chart {
 public:
     Chart(const fill::Filling &old, const geometry::Drape &drape,
