@@ -1,6 +1,7 @@
 #include "adapt/rails.h"
 
 #include "adapt/locate.h"
+#include "mesh/feature.h"
 #include "patch/region.h"
 
 namespace alphamst::adapt {
@@ -29,6 +30,20 @@ std::vector<geometry::Rail> rails_of(const mesh::QuadMesh &mesh) {
             rails[static_cast<std::size_t>(v)] = rail;
         }
     return rails;
+}
+
+void forget_normals(const mesh::QuadMesh &mesh, std::span<const int> vertices, geometry::Quads quads,
+                    geometry::Drape &drape) {
+    if (!mesh.curves)
+        return;
+    for (const auto &quad : quads)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto v = static_cast<std::size_t>(quad[k]), w = static_cast<std::size_t>(quad[(k + 1) % 4]);
+            const int edge = mesh.find_edge(vertices[v], vertices[w]);
+            const auto [left, right] = mesh.edge_faces(edge);
+            if (left >= 0 && right >= 0 && mesh::on_curve(mesh, edge))
+                drape.normals[v] = drape.normals[w] = Eigen::Vector3d::Zero();
+        }
 }
 
 } // namespace alphamst::adapt

@@ -1,9 +1,10 @@
 // Where vertices on the features of a curved mesh may slide.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "geometry/rail.h"
+#include "geometry/drape.h"
 #include "mesh/quad_mesh.h"
 
 namespace alphamst::adapt {
@@ -15,5 +16,11 @@ geometry::Rail rail_of(const mesh::QuadMesh &mesh, int vertex);
 
 // [vertex]; empty if no vertex may slide.
 std::vector<geometry::Rail> rails_of(const mesh::QuadMesh &mesh);
+
+// Vertices on features get no normals, see geometry::Drape: the surface would give them one of a side that
+// chance chooses, and the quads on the other side would look ill-shaped. vertices: those of the mesh in the
+// drape; quads use their places there.
+void forget_normals(const mesh::QuadMesh &mesh, std::span<const int> vertices, geometry::Quads quads,
+                    geometry::Drape &drape);
 
 } // namespace alphamst::adapt

@@ -142,7 +142,10 @@ void relax_draped(mesh::QuadMesh &mesh, Ground &ground, std::vector<char> fixed,
         if (rails[v])
             fixed[v] = 0;
     options.rails = rails;
-    const geometry::Drape start = ground.drape(mesh);
+    geometry::Drape start = ground.drape(mesh);
+    std::vector<int> all(at(mesh.n_vertices()));
+    std::iota(all.begin(), all.end(), 0);
+    forget_normals(mesh, all, mesh.faces(), start);
     geometry::Drape drape = start;
     geometry::improve(*ground.surface, mesh.faces(), fixed, drape, options);
     settle(mesh, ground, start, drape, options.run, rails);

@@ -84,7 +84,8 @@ void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &
 
 void smooth_draped(mesh::QuadMesh &mesh, const Part &part, const Ground &ground, const Settings &settings,
                    Outcome &outcome) {
-    const geometry::Drape start = drape_of(mesh, *ground.surface, ground.anchors, part.vertices);
+    geometry::Drape start = drape_of(mesh, *ground.surface, ground.anchors, part.vertices);
+    forget_normals(mesh, part.vertices, part.quads, start);
     outcome.quality_before = geometry::judge(part.quads, start).min_scaled_jacobian;
     const auto try_with = [&](const Part &tried) {
         geometry::Drape drape = start;

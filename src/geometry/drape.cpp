@@ -34,6 +34,8 @@ struct Corners {
             normal += drape.normals[at(quad[k])];
         }
         own = (edge[0] - edge[2]).cross(edge[1] - edge[3]).normalized();
+        if (normal.isZero(0))
+            normal = own;
         normal.normalize();
     }
 
@@ -247,12 +249,10 @@ private:
         return true;
     }
 
-    // On the line to the last bit, whatever the surface is; on the side of the crease where it was.
+    // On the line to the last bit, wherever the surface is.
     surface::Spot spot_on(const Rail &rail, const Vector3d &p, int v) const {
         const Vector3d point = rail.line.at(rail.line.place(p));
-        surface::Spot spot = surface_.nearest(point, drape_.normals[at(v)]);
-        spot.point = point;
-        return spot;
+        return {surface_.follow(point, drape_.anchors[at(v)]).triangle, point, drape_.normals[at(v)], 0};
     }
 
     double worst_around(int v) const {

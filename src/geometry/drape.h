@@ -10,10 +10,12 @@
 
 namespace alphamst::geometry {
 
-// Vertices on a surface. All arrays are [vertex].
+// Vertices on a surface. All arrays are [vertex]. Normals are those of the surface, of length one; zero for a
+// vertex that does not move freely means that it has no say in where its quads look: it is on a crease, where
+// they look to two sides.
 struct Drape {
-    std::vector<Eigen::Vector3d> points, normals; // normals of the surface, of length one
-    std::vector<int> anchors;                     // triangle of the surface under each vertex
+    std::vector<Eigen::Vector3d> points, normals;
+    std::vector<int> anchors; // triangle of the surface under each vertex
 
     void add(const surface::Spot &spot);
     void put(int vertex, const surface::Spot &spot);
@@ -30,7 +32,8 @@ std::vector<double> scaled_jacobians(Quads quads, const Drape &drape);
 // Moves the free vertices over the surface for squarer quads of the wanted areas: each by Newton steps in
 // its tangent plane, and back to the surface by the shortest way from where it was. Corners that are not
 // positive are turned over where that comes soon. Those on rails, which are free, too, move along these
-// alone: exactly on their lines, and never past the vertices that bound them. Returns how the quads are then.
+// alone: exactly on their lines, and never past the vertices that bound them; their normals stay. Returns how
+// the quads are then.
 Judgement improve(const surface::Surface &surface, Quads quads, std::span<const char> fixed, Drape &drape,
                   const EmbedOptions &options);
 

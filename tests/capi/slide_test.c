@@ -5,8 +5,7 @@
 
 enum { n = 6, side = n + 1, most = side * side * side };
 
-/* A box of edges 1, 2 and 3: vertices on its edges bunched at one end, those inside of its sides pushed
- * about. */
+/* A box of edges 1, 2 and 3: vertices bunched at one corner, those inside of its sides pushed about. */
 typedef struct box {
     amst_context *ctx;
     amst_mesh *mesh;
@@ -24,13 +23,11 @@ static int ends(const int number[3]) {
 static double place(const int number[3], int axis, unsigned *random) {
     const int i = number[axis];
     double x = (double)i / n;
-    if (i > 0 && i < n && ends(number) == 2)
-        x = pow(x, 2.5);
     if (i > 0 && i < n && ends(number) == 1) {
         *random = *random * 1103515245u + 12345u;
         x += 0.6 / n * ((*random >> 16 & 1023) / 1023.0 - 0.5);
     }
-    return (axis + 1) * x;
+    return (axis + 1) * x * x;
 }
 
 static void add_side(int axis, int end, const int *ids, int32_t *faces, int64_t *n_faces) {
@@ -110,8 +107,8 @@ static void assert_on_edges(const box *asked, const double *before) {
         const int *number = asked->number[v];
         if (ends(number) == 3)
             assert_memory_equal(points + 3 * v, before + 3 * v, 3 * sizeof(double));
-        for (int k = 0; k < 3; ++k)
-            if (ends(number) >= 2 && (number[k] == 0 || number[k] == n))
+        for (int k = 0; ends(number) >= 2 && k < 3; ++k)
+            if (number[k] == 0 || number[k] == n)
                 assert_true(points[3 * v + k] == before[3 * v + k]);
             else
                 assert_true(points[3 * v + k] > 0 && points[3 * v + k] < k + 1);
@@ -125,12 +122,12 @@ static void smoothing_spreads_vertices_along_features(void **state) {
     box b = new_box(1);
     double *before = points_of(b.mesh);
     const double quality = worst_scaled_jacobian(b.mesh);
-    assert_true(unevenness(&b) > 0.25);
+    assert_true(unevenness(&b) > 0.24);
     for (int i = 0; i < 3; ++i) {
         must(amst_smooth(b.mesh, NULL, NULL, NULL));
         assert_on_edges(&b, before);
     }
-    assert_true(unevenness(&b) < 0.1);
+    assert_true(unevenness(&b) < 0.02);
     assert_true(worst_scaled_jacobian(b.mesh) > quality);
     assert_int_equal(revision(b.mesh), 0);
     free(before);

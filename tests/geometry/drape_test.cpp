@@ -108,6 +108,27 @@ TEST(Drape, AQuadFoldedAmongItsNeighboursIsTurnedWhateverTheSurfaceSays) {
     EXPECT_FALSE(judgement.valid);
 }
 
+// One of two squares at an edge of a cube, with the normals that the other side has at two of its corners.
+TEST(Drape, VerticesWithoutANormalHaveNoSay) {
+    const std::vector<std::array<int, 4>> quads{{0, 1, 2, 3}, {1, 4, 5, 2}};
+    Drape drape = plane({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, Vector3d(0, 0, 1));
+    const Vector3d way = drape.points[1] - drape.points[0];
+    for (const std::size_t k : {1u, 2u}) {
+        drape.normals[k] = way;
+        drape.add({0, drape.points[k] - Vector3d(0, 0, 1), way, 0});
+    }
+    const double misled = scaled_jacobian(quads[0], drape);
+    EXPECT_NEAR(misled, std::sqrt(0.5), 1e-12);
+    drape.normals[1] = drape.normals[2] = Vector3d::Zero();
+    EXPECT_NEAR(scaled_jacobian(quads[0], drape), 1, 1e-12);
+    EXPECT_NEAR(scaled_jacobian(quads[1], drape), 1, 1e-12);
+    // The others still tell that a quad is turned over; without any it goes by itself.
+    drape.normals[0] = drape.normals[3] = Vector3d(0, 0, -1);
+    EXPECT_NEAR(scaled_jacobian(quads[0], drape), -1, 1e-12);
+    drape.normals[0] = drape.normals[3] = Vector3d::Zero();
+    EXPECT_NEAR(scaled_jacobian(quads[0], drape), 1, 1e-12);
+}
+
 // A sphere with its vertices moved at random along it, but for a few, which are fixed.
 struct Ball {
     mesh::QuadMesh mesh;
