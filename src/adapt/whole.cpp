@@ -235,10 +235,10 @@ public:
     void finish() {
         tell(0.9, "relax");
         relax(mesh_, ground_, density_, settings_);
-        if (crosses_)
-            align(mesh_, ground_, *crosses_, settings_);
         if (ground_.surface)
             fit(mesh_, ground_, density_, settings_);
+        if (crosses_) // who asks for the field gets it, at some distance to the surface
+            align(mesh_, ground_, *crosses_, settings_);
         mend();
         tell(1, "mend");
     }
