@@ -30,8 +30,8 @@ constexpr int repeats = 3;       // with windows of one size
 constexpr int more = 3;          // rounds with large windows on a surface
 constexpr double few = 24, most_persistence = 1.5; // singularities; of what was done for all before
 constexpr int wandering = 60;                      // faces of a window that moves singularities
-constexpr std::array<int, 3> searched = {250, 160,
-                                         400}; // faces of the windows that look for fewer after that
+// Faces of the windows that look for fewer after that.
+constexpr std::array<int, 3> searched = {250, 160, 400};
 constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
 constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
 constexpr double far = 0.1;         // of the wanted faces; fewer that are missing are left to the count
@@ -218,6 +218,7 @@ public:
         };
         for (std::size_t i = 0; static_cast<double>(sweep_.effort()) < worth() && !regular(); ++i) {
             const int size = searched[i % searched.size()];
+            const auto tried = sweep_.effort();
             for (const bool wander : {true, false}) {
                 Pass pass;
                 pass.purpose = wander ? Purpose::wander : Purpose::fewer_singularities;
@@ -229,6 +230,8 @@ public:
                 if (wander || sweep_.singular() < before)
                     relax(mesh_, ground_, density_, settings_);
             }
+            if (sweep_.effort() == tried)
+                break; // no window fits around those that are left
         }
     }
 
