@@ -56,6 +56,38 @@ Coverage::Owner Coverage::owner_of(int sample, std::span<const Quad> quads,
     return {sample, nearest.second, static_cast<float>(std::sqrt(nearest.first))};
 }
 
+surface::BoxTree Coverage::boxes(std::span<const int> faces, std::span<const Quad> quads, double part) const {
+    double reach = tolerance_;
+    for (const int f : faces)
+        for (const int s : samples(f))
+            reach = std::max(reach, allowed(s));
+    std::vector<surface::BoxEntry> entries;
+    for (std::size_t q = 0; q < quads.size(); ++q)
+        entries.emplace_back(surface::box_of(quads[q], part * reach), static_cast<int>(q));
+    return surface::BoxTree(entries);
+}
+
+bool Coverage::covers(std::span<const int> faces, std::span<const Quad> quads, double part) const {
+    const surface::BoxTree tree = boxes(faces, quads, part);
+    std::size_t last = 0; // the quad that covered the sample before
+    for (const int f : faces)
+        for (const int s : samples(f)) {
+            const double most = part * allowed(s) * part * allowed(s);
+            const auto near = [&](std::size_t q) {
+                return nearest_spot(quads[q], point(s)).distance <= most;
+            };
+            if (near(last))
+                continue;
+            const auto holds = index::intersects(surface::box_corner(point(s)));
+            const auto found = std::find_if(tree.qbegin(holds), tree.qend(),
+                                            [&](const auto &entry) { return near(at(entry.second)); });
+            if (found == tree.qend())
+                return false;
+            last = at(found->second);
+        }
+    return true;
+}
+
 // Of some of the faces.
 struct Coverage::Found {
     std::vector<Owner> owners;
@@ -66,14 +98,7 @@ std::optional<std::vector<Coverage::Owner>> Coverage::cover(std::span<const int>
                                                             std::span<const Quad> quads,
                                                             std::vector<int> *missed,
                                                             const geometry::Run &run) const {
-    double reach = tolerance_;
-    for (const int f : faces)
-        for (const int s : samples(f))
-            reach = std::max(reach, allowed(s));
-    std::vector<surface::BoxEntry> entries;
-    for (std::size_t q = 0; q < quads.size(); ++q)
-        entries.emplace_back(surface::box_of(quads[q], reach), static_cast<int>(q));
-    const surface::BoxTree tree(entries);
+    const surface::BoxTree tree = boxes(faces, quads, 1);
     const std::size_t piece = run ? 256 : faces.size(); // faces
     std::vector<Found> found(run ? (faces.size() + piece - 1) / piece : 1);
     const auto look = [&](std::size_t i) {

@@ -34,6 +34,9 @@ public:
                                             std::vector<int> *missed = nullptr,
                                             const geometry::Run &run = {}) const;
 
+    // Whether the quads leave no sample of the faces farther off than `part` times what it may be.
+    bool covers(std::span<const int> faces, std::span<const Quad> quads, double part) const;
+
     // Takes the samples of `faces` away and gives them to the faces that `of_quad` names.
     void assign(std::span<const int> faces, std::span<const Owner> owners, std::span<const int> of_quad);
     int faces() const { return static_cast<int>(samples_.size()); }
@@ -58,6 +61,9 @@ public:
 private:
     struct Found;
 
+    // Of boxes around the quads that hold all samples of the faces that `part` times what they may be is
+    // enough for.
+    surface::BoxTree boxes(std::span<const int> faces, std::span<const Quad> quads, double part) const;
     Owner owner_of(int sample, std::span<const Quad> quads, const surface::BoxTree &tree) const;
 
     std::vector<Eigen::Vector3d> points_;   // [sample]

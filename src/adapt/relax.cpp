@@ -128,7 +128,7 @@ bool keep_good(const mesh::QuadMesh &mesh, const std::optional<Coverage> &covera
         std::sort(bad.begin(), bad.end());
         bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
         patch::Growth growth(mesh);
-        for (const int f : growth.surround(bad, 1 + round))
+        for (const int f : growth.surround(bad, 1 + round * (round + 1) / 2))
             for (const int v : mesh.corners(f))
                 drape.put(v, {start.anchors[at(v)], start.points[at(v)], start.normals[at(v)], 0});
     }
@@ -199,7 +199,11 @@ void fit(mesh::QuadMesh &mesh, Ground &ground, const std::optional<Density> &den
     const geometry::EmbedOptions options = whole_shaping(settings, workers, area);
     const geometry::Drape start = ground.drape(mesh);
     geometry::Drape drape = start;
-    geometry::fit(*ground.surface, mesh.faces(), immovable(mesh), drape, options);
+    std::vector<geometry::Sample> samples;
+    for (int f = 0; ground.coverage && f < mesh.n_faces(); ++f)
+        for (const int s : ground.coverage->samples(f))
+            samples.push_back({ground.coverage->point(s), f});
+    geometry::fit(*ground.surface, mesh.faces(), immovable(mesh), drape, options, samples);
     // The surface as a whole comes nearer; a part of it may get as far as the farthest was.
     const double tolerance = ground.coverage ? ground.coverage->tolerance() : 0;
     if (ground.coverage)

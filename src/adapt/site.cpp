@@ -93,14 +93,12 @@ geometry::Embedding Site::embed(const Shape &shape) const {
     return geometry::embed(filling.quads, filling.boundary, filling.vertices, loop, options);
 }
 
-// Into the chart, from there to the surface, and there into shape.
-Laid Site::drape(const Shape &shape) const {
+Laid Site::place(const Shape &shape) const {
     const fill::Filling &filling = shape.filling;
-    geometry::EmbedOptions options = shaping(settings_);
     Laid laid;
     geometry::Points positions = shape.positions;
     if (positions.empty()) {
-        geometry::Embedding embedding = chart_->place(filling, options);
+        geometry::Embedding embedding = chart_->place(filling, shaping(settings_));
         laid.stuck = embedding.stuck;
         if (!embedding.valid)
             return laid;
@@ -113,6 +111,13 @@ Laid Site::drape(const Shape &shape) const {
         else
             laid.draped.add(chart_->lift(surface(), positions[i]));
     }
+    return laid;
+}
+
+Laid Site::smooth(const fill::Filling &filling, Laid laid) const {
+    if (laid.draped.points.empty())
+        return laid;
+    geometry::EmbedOptions options = shaping(settings_);
     std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
     std::fill_n(fixed.begin(), filling.boundary, char(1));
     const std::vector<double> areas = ground_.areas(filling.quads, laid.draped);
@@ -124,7 +129,7 @@ Laid Site::drape(const Shape &shape) const {
 
 Laid Site::lay(const Shape &shape) const {
     if (curved())
-        return drape(shape);
+        return smooth(shape.filling, place(shape));
     geometry::Embedding embedding = embed(shape);
     Laid laid;
     static_cast<geometry::Judgement &>(laid) = embedding;

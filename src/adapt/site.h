@@ -63,6 +63,10 @@ public:
     std::map<int, std::int64_t> valences(const fill::Filling &filling) const;
 
     Laid lay(const Shape &shape) const;
+    // The same in two steps where the patch is curved: into the chart and from there to the surface; without
+    // points if the chart does not take it. Then into shape.
+    Laid place(const Shape &shape) const;
+    Laid smooth(const fill::Filling &filling, Laid placed) const;
     bool curved() const { return chart_.has_value(); }
     const Ground &ground() const { return ground_; }
     const surface::Surface &surface() const { return *ground_.surface; }
@@ -114,7 +118,6 @@ private:
     void flatten();
 
     geometry::Embedding embed(const Shape &shape) const;
-    Laid drape(const Shape &shape) const;
 
     bool inside(int edge) const;
 

@@ -50,7 +50,9 @@ struct Site::Inner {
 
 std::vector<Site::Source> Site::sources() const {
     std::vector<Source> list;
-    if (goal_.keep_quality) {
+    if (goal_.collapse) {
+        list.push_back(collapsed());
+    } else if (goal_.keep_quality) {
         // A smallest scaled Jacobian that is already good is seldom reached again next to
         // a boundary that cannot move: there a rim of faces stays.
         constexpr double good = 0.6;

@@ -128,6 +128,16 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
         goal.forbid_old = true;
         return goal;
     }
+    if (pass.purpose == Purpose::collapse) {
+        const std::int64_t fewest = std::max<std::int64_t>({std::llround(collapse_to * share), now / 2, 1});
+        if (static_cast<double>(now - fewest) < even_enough * static_cast<double>(now))
+            return std::nullopt;
+        goal.any_count = false;
+        goal.collapse = true;
+        goal.most_added = Goal().most_added;
+        goal.faces = goal.fewest = goal.most = fewest;
+        return goal;
+    }
     if (pass.purpose != Purpose::fewer_singularities && pass.purpose != Purpose::wander) {
         const bool spread = pass.purpose == Purpose::spread;
         const std::int64_t lacking = spread ? std::llround(share) - now : missing();
@@ -354,11 +364,13 @@ std::vector<int> Sweep::misshapen(double scaled_jacobian) const {
 
 // In random order.
 std::vector<int> Sweep::choose_seeds(const Pass &pass) {
-    std::vector<int> seeds =
-        pass.purpose == Purpose::mend ? misshapen(pass.shape.scaled_jacobian) : irregular();
-    const int elsewhere = pass.purpose == Purpose::count    ? most_elsewhere
-                          : pass.purpose == Purpose::spread ? 2 * mesh_.n_faces() / std::max(1, pass.size)
-                                                            : 0;
+    std::vector<int> seeds;
+    if (pass.purpose != Purpose::collapse)
+        seeds = pass.purpose == Purpose::mend ? misshapen(pass.shape.scaled_jacobian) : irregular();
+    const bool everywhere = pass.purpose == Purpose::spread || pass.purpose == Purpose::collapse;
+    const int elsewhere = pass.purpose == Purpose::count ? most_elsewhere
+                          : everywhere                   ? 2 * mesh_.n_faces() / std::max(1, pass.size)
+                                                         : 0;
     for (int k = 0; k < elsewhere && mesh_.n_vertices() > 0; ++k)
         seeds.push_back(static_cast<int>(random_() % static_cast<std::uint64_t>(mesh_.n_vertices())));
     std::sort(seeds.begin(), seeds.end());

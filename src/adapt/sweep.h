@@ -16,11 +16,15 @@ namespace alphamst::adapt {
 
 enum class Purpose {
     fewer_singularities,
-    wander, // no more singularities, but elsewhere
-    spread, // the faces go where they are wanted
-    count,  // there come to be as many faces as are wanted
-    mend,   // the worst shapes become better
+    wander,   // no more singularities, but elsewhere
+    spread,   // the faces go where they are wanted
+    collapse, // faces go where there are far too many, whatever becomes of the singularities
+    count,    // there come to be as many faces as are wanted
+    mend,     // the worst shapes become better
 };
+
+// Faces, for each wanted one, that a collapse leaves: the windows that come then need room.
+constexpr double collapse_to = 1.2;
 
 struct Pass {
     Purpose purpose = Purpose::fewer_singularities;
@@ -43,6 +47,9 @@ public:
 
     // What was done so far: faces of all windows that were tried.
     std::int64_t effort() const { return effort_; }
+    // Windows of the last run.
+    int tried() const { return tried_; }
+    int refilled() const { return refilled_; }
     std::int64_t wanted() const { return wanted_; }
     // Singular vertices, those of the mesh boundary included, and mismatches there.
     int singular() const { return singular_; }

@@ -11,6 +11,7 @@
 #include "adapt/align.h"
 #include "adapt/begin.h"
 #include "adapt/density.h"
+#include "adapt/persist.h"
 #include "adapt/relax.h"
 #include "adapt/sweep.h"
 #include "adapt/tally.h"
@@ -25,16 +26,15 @@ constexpr double poor_price = 3; // quads that may become poor for one singulari
 constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
 constexpr double most_misshapen = 100; // poor quads that a better worst one may cost
 constexpr int large = 160, large_on_surface = 100;
-constexpr int most_of_mesh = 12; // larger windows than such a part of the mesh hardly ever come right
-constexpr int repeats = 3;       // with windows of one size
-constexpr int more = 3;          // rounds with large windows on a surface
-constexpr double few = 24, most_persistence = 1.5; // singularities; of what was done for all before
-constexpr int wandering = 60;                      // faces of a window that moves singularities
-// Faces of the windows that look for fewer after that.
-constexpr std::array<int, 3> searched = {250, 160, 400};
+constexpr int most_of_mesh = 12;    // larger windows than such a part of the mesh hardly ever come right
+constexpr int repeats = 3;          // with windows of one size
+constexpr int conclusive = 100;     // windows in vain that end the search with larger ones on a surface
 constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
 constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
 constexpr double far = 0.1;         // of the wanted faces; fewer that are missing are left to the count
+constexpr int collapses = 3;        // rounds, with windows of so many faces
+constexpr int collapsed_window = 60;
+constexpr double collapsed_shape = 0.4; // of the shape that windows keep
 
 // What faces that are missing may cost, little by little: part of the shape that windows keep, singularities
 // added, tolerance of the distance to the surface.
@@ -109,9 +109,7 @@ public:
     }
 
     // Windows grow; what a filling strains spreads far beyond its window, so all is relaxed between.
-    // True if some was saved.
-    bool reduce(int smallest) {
-        const int start = sweep_.singular();
+    void reduce(int smallest) {
         const double part = 0.8 / static_cast<double>(sizes.size());
         int idle = 0; // sizes in a row that saved little
         for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -134,8 +132,24 @@ public:
             idle = before - sweep_.singular() < worthwhile * before ? idle + 1 : 0;
             if (sizes[i] >= large_enough() && idle > 1)
                 break;
+            if (ground_.surface && sweep_.refilled() == 0 && sweep_.tried() >= conclusive)
+                break;
         }
-        return sweep_.singular() < start;
+    }
+
+    // Far too many faces of a surface go where they are, and the surface stays covered; singularities are
+    // left to the windows that come then.
+    void collapse() {
+        for (int k = 0; ground_.surface && k < collapses && crowded(); ++k) {
+            Pass pass;
+            pass.purpose = Purpose::collapse;
+            pass.size = collapsed_window;
+            pass.slack = far;
+            pass.shape = wish(collapsed_shape);
+            if (run(pass, "collapse", 0, 0) == 0)
+                break;
+            relax(mesh_, ground_, density_, settings_);
+        }
     }
 
     // Far from the wanted count every part of the mesh takes its share of the way, and more may be lost
@@ -208,30 +222,30 @@ public:
         allow(levels[0]);
     }
 
-    // Where few are left large windows find none at once; between them singularities wander, as no more of
-    // them, so that others come within reach. The fewer there are, the more such a mesh is worth.
+    // Between windows that find none singularities wander, as no more of them, so that others come within
+    // reach.
     void persist() {
-        const auto effort = static_cast<double>(sweep_.effort());
-        const auto worth = [&] {
-            const double part = few / std::max(1, sweep_.singular());
-            return effort * (1 + std::min(most_persistence, part * part));
-        };
-        for (std::size_t i = 0; static_cast<double>(sweep_.effort()) < worth() && !regular(); ++i) {
-            const int size = searched[i % searched.size()];
-            const auto tried = sweep_.effort();
+        Persistence persistence(sweep_.singular(), mesh_.n_faces(), largest());
+        while (!regular() && persistence.worthwhile(sweep_.singular())) {
+            Persistence::Search &search = persistence.best();
+            const int before = sweep_.singular();
+            const auto effort = sweep_.effort();
             for (const bool wander : {true, false}) {
                 Pass pass;
                 pass.purpose = wander ? Purpose::wander : Purpose::fewer_singularities;
-                pass.size = wander ? wandering : std::min(size, largest());
-                pass.slack = wander ? slack : slack * large / (2 * pass.size);
+                pass.size = wander ? search.wander : search.size;
+                pass.slack = slack;
                 pass.shape = wish(1);
-                const int before = sweep_.singular();
                 run(pass, "reduce", 0.8, 0);
-                if (wander || sweep_.singular() < before)
-                    relax(mesh_, ground_, density_, settings_);
             }
-            if (sweep_.effort() == tried)
+            auto spent = sweep_.effort() - effort;
+            if (spent == 0)
                 break; // no window fits around those that are left
+            if (sweep_.singular() < before) {
+                relax(mesh_, ground_, density_, settings_);
+                spent += mesh_.n_faces(); // about what that takes
+            }
+            persistence.learn(search, before - sweep_.singular(), static_cast<double>(spent));
         }
     }
 
@@ -266,6 +280,10 @@ private:
 
     bool is_far() const {
         return static_cast<double>(std::abs(sweep_.missing())) > far * static_cast<double>(sweep_.wanted());
+    }
+
+    bool crowded() const {
+        return static_cast<double>(mesh_.n_faces()) > collapse_to * static_cast<double>(sweep_.wanted());
     }
 
     void allow(const Level &level) {
@@ -319,20 +337,15 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
         ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted, settings.tolerance);
     Whole work(mesh, ground, outcome.faces_wanted, crosses, settings, progress);
     work.spread();
+    work.collapse();
     work.reduce(0);
-    if (ground.surface)
+    if (ground.surface) {
         work.mend();
-    if (exact && work.count()) {
+        work.persist();
+    }
+    if (exact && work.count() && !ground.surface) {
         work.reduce(60);
         work.count();
-    }
-    for (int k = 0; ground.surface && k < more && work.reduce(large); ++k)
-        if (exact)
-            work.count();
-    if (ground.surface) {
-        work.persist();
-        if (exact)
-            work.count();
     }
     work.finish();
     outcome.faces_after = mesh.n_faces();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/barrier.h"
+#include "geometry/cover.h"
 #include "geometry/misfit.h"
 #include "geometry/star.h"
 
@@ -19,14 +20,16 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Axes = Eigen::Matrix<double, 3, 2>;
 
-constexpr double weight = 800;      // of a mean squared distance over the area of a quad, against shape
+// Of mean squared distances, both ways together, over the area of a quad, against shape; and the part of that
+// in the first round, so that it spoils no quads: they would stay behind.
+constexpr double weight = 800, first_part = 0.1;
 constexpr double size_weight = 0.3; // against shape
 constexpr double careful = 0.32;    // scaled Jacobian: worse ones are not made by moving
 constexpr double stiff_below = 0.8; // scaled Jacobian: a quad below counts more, with the third power
 constexpr double softest_quad = 0.1;
 constexpr double tight = 0.1;    // corners that are hardly positive: determinant over the wanted area
 constexpr double longest = 0.25; // step, in edges
-constexpr int rounds = 10;
+constexpr int rounds = 15;
 constexpr int most_iterations = 100; // of the linear solver
 constexpr double accuracy = 1e-3;    // of its answer, relative
 constexpr int halvings = 3; // of the way of a quad that got worse, before it and those around it go all back
@@ -36,10 +39,11 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 // The energy to second order around where the vertices are.
 class Fitter {
 public:
-    Fitter(const surface::Surface &surface, const Problem &problem, Drape &drape, const EmbedOptions &options)
+    Fitter(const surface::Surface &surface, const Problem &problem, std::span<const Sample> samples,
+           Drape &drape, const EmbedOptions &options)
         : surface_(surface), problem_(problem), drape_(drape), options_(options),
-          misfit_(surface, problem.quads, drape), axes_(drape.points.size(), Axes::Zero()),
-          index_(drape.points.size(), -1) {
+          misfit_(surface, problem.quads, drape), cover_(problem.quads, problem.stars, samples),
+          axes_(drape.points.size(), Axes::Zero()), index_(drape.points.size(), -1) {
         for (std::size_t v = 0; v < index_.size(); ++v)
             if (!problem.fixed[v] && !problem.stars.at(static_cast<int>(v)).empty()) {
                 index_[v] = 2 * static_cast<int>(free_.size());
@@ -52,7 +56,9 @@ public:
         if (free_.empty())
             return;
         for (int round = 0; round < rounds; ++round) {
+            weight_ = (cover_.size() > 0 ? weight / 2 : weight) * std::min(1.0, first_part * (round + 1));
             misfit_.measure(drape_, options_.run);
+            cover_.measure(drape_, options_.run);
             quality_ = scaled_jacobians(problem_.quads, drape_);
             assemble();
             step();
@@ -84,6 +90,7 @@ private:
             Row g = Row::Zero();
             add_shape(q, g, h);
             add_misfit(q, g, h);
+            add_cover(q, g, h);
             scatter(problem_.quads[q], g, h);
         }
         double trace = 0;
@@ -143,16 +150,31 @@ private:
 
     void add_misfit(std::size_t q, Row &g, Rows &h) const {
         const double scale =
-            2 * weight * misfit_.area(q) /
+            2 * weight_ * misfit_.area(q) /
             (misfit_.mean_area() * misfit_.mean_area() * static_cast<double>(Misfit::places));
-        for (const Misfit::Place &place : misfit_.at(q)) {
-            Row way;
-            for (std::size_t k = 0; k < 4; ++k)
-                way.segment<2>(2 * static_cast<Eigen::Index>(k)) =
-                    place.weights[k] * axes_[at(problem_.quads[q][k])].transpose() * place.normal;
-            g += scale * place.distance * way;
-            h += scale * way * way.transpose();
-        }
+        for (const Misfit::Place &place : misfit_.at(q))
+            add_distance(q, scale, place, g, h);
+    }
+
+    // The other way: what the surface misses of the quads, each sample for as much of it.
+    void add_cover(std::size_t q, Row &g, Rows &h) const {
+        const double quads = static_cast<double>(problem_.quads.size());
+        const double scale =
+            2 * weight_ * quads /
+            (misfit_.mean_area() * static_cast<double>(std::max<std::size_t>(1, cover_.size())));
+        for (const int i : cover_.at(q))
+            add_distance(q, scale, cover_.place(i), g, h);
+    }
+
+    // Half the square of the distance along its normal.
+    template <class Place>
+    void add_distance(std::size_t q, double scale, const Place &place, Row &g, Rows &h) const {
+        Row way;
+        for (std::size_t k = 0; k < 4; ++k)
+            way.segment<2>(2 * static_cast<Eigen::Index>(k)) =
+                place.weights[k] * axes_[at(problem_.quads[q][k])].transpose() * place.normal;
+        g += scale * place.distance * way;
+        h += scale * way * way.transpose();
     }
 
     void scatter(const std::array<int, 4> &quad, const Row &g, const Rows &h) {
@@ -235,6 +257,8 @@ private:
     Drape &drape_;
     const EmbedOptions &options_;
     Misfit misfit_;
+    Cover cover_;
+    double weight_ = 0;           // in this round
     std::vector<double> quality_; // [quad] scaled Jacobian before the step
     std::vector<Axes> axes_;      // [vertex]
     std::vector<int> index_;      // [vertex] its first unknown, -1 if it stays
@@ -247,7 +271,7 @@ private:
 } // namespace
 
 void fit(const surface::Surface &surface, Quads quads, std::span<const char> fixed, Drape &drape,
-         const EmbedOptions &options) {
+         const EmbedOptions &options, std::span<const Sample> samples) {
     const double area = total_area(quads, drape);
     if (!(area > 0) || !std::isfinite(area))
         return;
@@ -255,7 +279,7 @@ void fit(const surface::Surface &surface, Quads quads, std::span<const char> fix
     wanted.resize(quads.size(), area / static_cast<double>(quads.size()));
     const Stars stars(quads, static_cast<int>(drape.points.size()));
     const Problem problem{quads, stars, fixed, wanted};
-    Fitter(surface, problem, drape, options).run();
+    Fitter(surface, problem, samples, drape, options).run();
 }
 
 } // namespace alphamst::geometry

@@ -77,7 +77,7 @@ TEST(Tolerance, KeepsTheSurfaceNearTheMesh) {
     }
     EXPECT_LE(most[0], 0.2);
     EXPECT_LE(most[1], 0.5);
-    EXPECT_GT(most[2], 0.5); // of an ear part went
+    EXPECT_GT(most[2], 2 * 0.2); // the tolerance does something: of an ear part went
 }
 
 } // namespace

@@ -105,6 +105,21 @@ TEST(Coverage, OfAMeshThatIsTheSurfaceIsComplete) {
     EXPECT_EQ(owners->size(), eared.surface->points().size());
 }
 
+TEST(Coverage, CoversAsFarAsAsked) {
+    const Eared eared;
+    const std::vector<Quad> quads = without_ears(eared.mesh);
+    double farthest = 0;
+    for (std::size_t s = 0; s < eared.surface->points().size(); ++s)
+        farthest = std::max(farthest, distance(eared.coverage, static_cast<int>(s), quads));
+    ASSERT_GT(farthest, 2 * eared.coverage.tolerance());
+    const double part = farthest / eared.coverage.tolerance();
+    EXPECT_FALSE(eared.coverage.covers(eared.all, quads, 1));
+    EXPECT_FALSE(eared.coverage.covers(eared.all, quads, 0.99 * part));
+    EXPECT_TRUE(eared.coverage.covers(eared.all, quads, 1.01 * part));
+    EXPECT_TRUE(eared.coverage.covers(eared.all, quads_of(eared.mesh), 1e-6));
+    EXPECT_TRUE(eared.coverage.covers({}, quads, 0.1));
+}
+
 TEST(Coverage, NewOwnersAreTheNearestQuads) {
     const Eared eared;
     mesh::QuadMesh moved = eared.mesh;

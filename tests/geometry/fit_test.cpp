@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
+#include "geometry/cover.h"
 #include "geometry/misfit.h"
 #include "square.h"
 
@@ -87,6 +90,61 @@ TEST(Misfit, OfAnArchIsThatOfItsChords) {
     misfit.measure(laid.drape, {});
     for (const Misfit::Place &place : misfit.at(20))
         EXPECT_LT(place.distance, 0); // chords lie below
+}
+
+// The points of the surface as samples of the quads below or above them.
+std::vector<Sample> samples_of(const Surface &surface) {
+    std::vector<Sample> samples;
+    for (const Vector3d &p : surface.points())
+        samples.push_back(
+            {p, 8 * std::min(7, static_cast<int>(p.y())) + std::min(7, static_cast<int>(p.x()))});
+    return samples;
+}
+
+double farthest(const std::vector<Sample> &samples, const Laid &laid) {
+    const Stars stars(laid.quads, static_cast<int>(laid.drape.points.size()));
+    Cover cover(laid.quads, stars, samples);
+    cover.measure(laid.drape, {});
+    double most = 0;
+    for (std::size_t i = 0; i < cover.size(); ++i)
+        most = std::max(most, cover.place(static_cast<int>(i)).distance);
+    return most;
+}
+
+TEST(Cover, FindsThePlacesNearestToSamples) {
+    const auto plane = graph(8, [](double, double) { return 0.0; });
+    const Laid laid(*plane, Vector3d::Zero());
+    const Stars stars(laid.quads, static_cast<int>(laid.drape.points.size()));
+    const std::vector<Sample> samples = {
+        {{2.25, 3.5, 0.5}, 8 * 3 + 2}, {{4, 4, -1}, 8 * 4 + 4}, {{5.5, 1.5, 0}, 8 * 2 + 4}, {{9, 0.5, 0}, 7}};
+    Cover cover(laid.quads, stars, samples);
+    cover.measure(laid.drape, {});
+    const double distances[] = {0.5, 1, 0, 1};
+    for (int i = 0; i < 4; ++i)
+        EXPECT_NEAR(cover.place(i).distance, distances[i], 1e-12) << i;
+    EXPECT_LT((cover.place(0).normal - Vector3d(0, 0, -1)).norm(), 1e-12);
+    EXPECT_LT((cover.place(3).normal - Vector3d(-1, 0, 0)).norm(), 1e-12);
+    // The third goes over to the quad across the corner that holds it.
+    ASSERT_EQ(cover.at(8 * 1 + 5).size(), 1u);
+    EXPECT_EQ(cover.at(8 * 1 + 5)[0], 2);
+    Vector3d place = Vector3d::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
+        place += cover.place(0).weights[k] * laid.drape.points[at(laid.quads[8 * 3 + 2][k])];
+    EXPECT_LT((place - Vector3d(2.25, 3.5, 0)).norm(), 1e-12);
+}
+
+TEST(Fit, SamplesOfAPeakDrawAVertexToIt) {
+    const auto peak = graph(64, [](double x, double y) {
+        return 1.5 * std::exp(-((x - 4.3) * (x - 4.3) + (y - 4.3) * (y - 4.3)) / 0.25);
+    });
+    const std::vector<Sample> samples = samples_of(*peak);
+    Laid with(*peak, Vector3d::Zero()), without = with;
+    const double before = farthest(samples, with);
+    fit(*peak, with.quads, with.fixed, with.drape, {}, samples);
+    fit(*peak, without.quads, without.fixed, without.drape, {});
+    EXPECT_LT(farthest(samples, with), 0.8 * before);
+    EXPECT_LT(farthest(samples, with), farthest(samples, without));
+    EXPECT_GT(judge(with.quads, with.drape).min_scaled_jacobian, 0.3);
 }
 
 TEST(Fit, VerticesComeToTheRidge) {
