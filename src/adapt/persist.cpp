@@ -14,14 +14,15 @@ constexpr double memory = 0.85; // of what the searches before did
 // Effort for each face of the mesh: what is spent on `few` singularities, at least and at most. The sixth
 // power leaves many alone.
 constexpr double few = 30, effort_for_few = 30, least_effort = 25, most_effort = 200;
+constexpr double effort_for_more = 160; // than there were at first
 // Effort for each face that to save all of many singularities at the present rate may take.
 constexpr double most_for_all = 250;
 
 } // namespace
 
 // Nothing is known yet: each is expected to save one the first time.
-Persistence::Persistence(int singular, int faces, int largest)
-    : faces_(faces), lately_{1, 1.0 * singular * (sizes[0].first + sizes[0].second)} {
+Persistence::Persistence(int singular, int before, int faces, int largest)
+    : before_(before), faces_(faces), lately_{1, 1.0 * singular * (sizes[0].first + sizes[0].second)} {
     for (const auto &[wander, wished] : sizes) {
         const int size = std::min(wished, largest);
         if (searches_.empty() || size > searches_.back().size || wander > searches_.back().wander)
@@ -45,7 +46,8 @@ void Persistence::learn(Search &search, double saved, double effort) {
 bool Persistence::worthwhile(int singular) const {
     const double most =
         std::clamp(effort_for_few * std::pow(few / std::max(1, singular), 6), least_effort, most_effort);
-    return spent_ < most * faces_ || lately_.rate() * most_for_all * faces_ >= singular;
+    return spent_ < (singular > before_ ? std::max(most, effort_for_more) : most) * faces_ ||
+           lately_.rate() * most_for_all * faces_ >= singular;
 }
 
 } // namespace alphamst::adapt

@@ -18,7 +18,8 @@ public:
         int wander, size; // faces of a window
     };
 
-    Persistence(int singular, int faces, int largest);
+    // before: singular vertices that there were at first; more of them are worth more.
+    Persistence(int singular, int before, int faces, int largest);
 
     // The one that is expected to save most for its effort.
     Search &best();
@@ -29,6 +30,7 @@ public:
 
 private:
     std::vector<Search> searches_;
+    int before_;
     double faces_, spent_ = 0;
     Yield lately_;
 };

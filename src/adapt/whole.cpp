@@ -31,10 +31,13 @@ constexpr int repeats = 3;          // with windows of one size
 constexpr int conclusive = 100;     // windows in vain that end the search with larger ones on a surface
 constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
 constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
+constexpr double drift = 90;        // faces, likewise at the end: the count would add what was saved
 constexpr double far = 0.1;         // of the wanted faces; fewer that are missing are left to the count
+constexpr int more = 2;             // rounds for what the count made singular
 constexpr int collapses = 3;        // rounds, with windows of so many faces
 constexpr int collapsed_window = 60;
 constexpr double collapsed_shape = 0.4; // of the shape that windows keep
+constexpr double many = 0.1;            // singular vertices, for each face
 
 // What faces that are missing may cost, little by little: part of the shape that windows keep, singularities
 // added, tolerance of the distance to the surface.
@@ -90,7 +93,7 @@ public:
           density_(Density::of(mesh, ground, wanted)),
           sweep_(mesh, ground, shares(mesh, density_, wanted), density_, settings_),
           quality_(std::max(working_quality(mesh, ground), settings.min_quality)),
-          near_(ground.coverage ? ground.coverage->tolerance() : 0) {}
+          near_(ground.coverage ? ground.coverage->tolerance() : 0), singular_before_(sweep_.singular()) {}
 
     // Faces go to where a size field wants them, before singularities are saved.
     void spread() {
@@ -138,9 +141,11 @@ public:
     }
 
     // Far too many faces of a surface go where they are, and the surface stays covered; singularities are
-    // left to the windows that come then.
+    // left to the windows that come then, so a mesh that has few of them is spared that.
     void collapse() {
-        for (int k = 0; ground_.surface && k < collapses && crowded(); ++k) {
+        if (!ground_.surface || sweep_.singular() < many * mesh_.n_faces())
+            return;
+        for (int k = 0; k < collapses && crowded(); ++k) {
             Pass pass;
             pass.purpose = Purpose::collapse;
             pass.size = collapsed_window;
@@ -225,7 +230,7 @@ public:
     // Between windows that find none singularities wander, as no more of them, so that others come within
     // reach.
     void persist() {
-        Persistence persistence(sweep_.singular(), mesh_.n_faces(), largest());
+        Persistence persistence(sweep_.singular(), singular_before_, mesh_.n_faces(), largest());
         while (!regular() && persistence.worthwhile(sweep_.singular())) {
             Persistence::Search &search = persistence.best();
             const int before = sweep_.singular();
@@ -234,7 +239,7 @@ public:
                 Pass pass;
                 pass.purpose = wander ? Purpose::wander : Purpose::fewer_singularities;
                 pass.size = wander ? search.wander : search.size;
-                pass.slack = slack;
+                pass.slack = std::min(slack, drift / static_cast<double>(sweep_.wanted()));
                 pass.shape = wish(1);
                 run(pass, "reduce", 0.8, 0);
             }
@@ -248,6 +253,9 @@ public:
             persistence.learn(search, before - sweep_.singular(), static_cast<double>(spent));
         }
     }
+
+    // There are more singular vertices than at first.
+    bool rose() const { return sweep_.singular() > singular_before_; }
 
     void finish() {
         tell(0.9, "relax");
@@ -311,7 +319,8 @@ private:
     const std::optional<Density> density_;
     Sweep sweep_;
     const double quality_, near_; // near_: usual tolerance of the distance to the surface
-    double told_ = 0;             // of the progress
+    const int singular_before_;
+    double told_ = 0; // of the progress
 };
 
 Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings,
@@ -344,6 +353,10 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
         work.persist();
     }
     if (exact && work.count() && !ground.surface) {
+        work.reduce(60);
+        work.count();
+    }
+    for (int k = 0; exact && ground.surface && k < more && work.rose(); ++k) {
         work.reduce(60);
         work.count();
     }

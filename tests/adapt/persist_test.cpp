@@ -11,8 +11,8 @@ namespace {
 constexpr int faces = 3000;
 
 // Searches in turn that save nothing, until it is no longer worth it; the effort that took.
-double in_vain(int singular) {
-    Persistence persistence(singular, faces, 400);
+double in_vain(int singular, int before = 1000) {
+    Persistence persistence(singular, before, faces, 400);
     double spent = 0;
     while (persistence.worthwhile(singular)) {
         Persistence::Search &search = persistence.best();
@@ -26,7 +26,7 @@ double in_vain(int singular) {
 }
 
 TEST(Persistence, TriesTheCheapestFirstAndAllInTheEnd) {
-    Persistence persistence(40, faces, 400);
+    Persistence persistence(40, 1000, faces, 400);
     std::set<std::pair<int, int>> tried;
     for (int i = 0; i < 200; ++i) {
         Persistence::Search &search = persistence.best();
@@ -40,7 +40,7 @@ TEST(Persistence, TriesTheCheapestFirstAndAllInTheEnd) {
 }
 
 TEST(Persistence, StaysWithWhatSaves) {
-    Persistence persistence(40, faces, 400);
+    Persistence persistence(40, 1000, faces, 400);
     int large = 0;
     for (int i = 0; i < 100; ++i) {
         Persistence::Search &search = persistence.best();
@@ -53,7 +53,7 @@ TEST(Persistence, StaysWithWhatSaves) {
 
 TEST(Persistence, NoWindowIsLargerThanTheLargest) {
     for (const int largest : {10, 100, 160, 200}) {
-        Persistence persistence(40, faces, largest);
+        Persistence persistence(40, 1000, faces, largest);
         for (int i = 0; i < 100; ++i) {
             Persistence::Search &search = persistence.best();
             EXPECT_LE(search.size, largest);
@@ -71,8 +71,13 @@ TEST(Persistence, TheFewerThereAreTheLongerItGoesOn) {
     EXPECT_GT(in_vain(1), 0);
 }
 
+TEST(Persistence, MoreThanThereWereAreWorthMore) {
+    EXPECT_EQ(in_vain(60, 60), in_vain(60));
+    EXPECT_GT(in_vain(60, 59), 1.5 * in_vain(60));
+}
+
 TEST(Persistence, ManyAreWorthItWhileTheyBecomeFewer) {
-    Persistence persistence(400, faces, 400);
+    Persistence persistence(400, 1000, faces, 400);
     for (int i = 0; i < 100; ++i) {
         ASSERT_TRUE(persistence.worthwhile(400)) << i;
         Persistence::Search &search = persistence.best();
