@@ -14,7 +14,7 @@ constexpr double memory = 0.85; // of what the searches before did
 // Effort for each face of the mesh: what is spent on `few` singularities, at least and at most. The sixth
 // power leaves many alone.
 constexpr double few = 30, effort_for_few = 30, least_effort = 25, most_effort = 200;
-constexpr double effort_for_more = 160; // than there were at first
+constexpr double effort_for_more = 60; // than there were at first
 // Effort for each face that to save all of many singularities at the present rate may take.
 constexpr double most_for_all = 250;
 
