@@ -1,6 +1,7 @@
 #include "geometry/cover.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "surface/triangle.h"
