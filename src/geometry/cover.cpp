@@ -1,9 +1,9 @@
 #include "geometry/cover.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "geometry/pieces.h"
 #include "surface/triangle.h"
 
 namespace alphamst::geometry {
@@ -54,17 +54,7 @@ void Cover::measure(std::size_t sample, const Drape &drape) {
 }
 
 void Cover::measure(const Drape &drape, const Run &run) {
-    constexpr std::size_t piece = 256; // samples that make up for a change of thread
-    const auto look = [&](std::size_t i) {
-        for (std::size_t s = i * piece; s < std::min(samples_.size(), (i + 1) * piece); ++s)
-            measure(s, drape);
-    };
-    const std::size_t pieces = (samples_.size() + piece - 1) / piece;
-    if (run)
-        run(pieces, look);
-    else
-        for (std::size_t i = 0; i < pieces; ++i)
-            look(i);
+    in_pieces(samples_.size(), run, [&](std::size_t s) { measure(s, drape); });
     for (std::vector<int> &list : of_quad_)
         list.clear();
     for (std::size_t s = 0; s < samples_.size(); ++s)

@@ -1,8 +1,10 @@
 #include "geometry/misfit.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "geometry/pieces.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -57,17 +59,7 @@ void Misfit::measure(std::size_t quad, const Drape &drape) {
 }
 
 void Misfit::measure(const Drape &drape, const Run &run) {
-    constexpr std::size_t piece = 256; // quads that make up for a change of thread
-    const auto look = [&](std::size_t i) {
-        for (std::size_t q = i * piece; q < std::min(quads_.size(), (i + 1) * piece); ++q)
-            measure(q, drape);
-    };
-    const std::size_t pieces = (quads_.size() + piece - 1) / piece;
-    if (run)
-        run(pieces, look);
-    else
-        for (std::size_t i = 0; i < pieces; ++i)
-            look(i);
+    in_pieces(quads_.size(), run, [&](std::size_t q) { measure(q, drape); });
     mean_area_ = std::accumulate(area_.begin(), area_.end(), 0.0) / static_cast<double>(area_.size());
 }
 
