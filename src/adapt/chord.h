@@ -21,9 +21,13 @@ Outcome split_chord(mesh::QuadMesh &mesh, int edge, int copies, std::int64_t mos
 std::vector<Outcome> insert_chords(mesh::QuadMesh &mesh, std::vector<Region> &patches, int n,
                                    const Settings &settings, const Progress &progress);
 
-// Removes chords, the shortest first, or splits chords that touch no boundary, the widest that fit first,
-// towards the wanted number of faces, which it never passes. Vertices are left where that puts them.
-void approach_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules,
+// Which chords are removed first: those of the fewest faces, for the finest steps, or those of the shortest
+// edges, so that faces go where they lie closest.
+enum class Order { shortest, narrowest };
+
+// Removes chords, or splits chords that touch no boundary, the widest that fit first, towards the wanted
+// number of faces, which it never passes. Vertices are left where that puts them.
+void approach_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules, Order order,
                         const Progress &progress);
 
 // The whole mesh by chords alone, and smoothed once, at the end: towards round(alpha * faces). No element

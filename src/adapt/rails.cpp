@@ -5,6 +5,11 @@
 #include "patch/region.h"
 
 namespace alphamst::adapt {
+namespace {
+
+constexpr double rounding = 1e-9; // of the way between two neighbours: off a line
+
+} // namespace
 
 geometry::Rail rail_of(const mesh::QuadMesh &mesh, int vertex) {
     if (!mesh.curves)
@@ -20,6 +25,21 @@ geometry::Rail rail_of(const mesh::QuadMesh &mesh, int vertex) {
     const surface::Line &line = mesh.curves->lines()[static_cast<std::size_t>(found)];
     const geometry::Rail local{line, {1, 2}};
     return local.holds(points[0], points) ? geometry::Rail{line, *others} : geometry::Rail{};
+}
+
+void straighten(mesh::QuadMesh &mesh) {
+    for (int v = 0; mesh.dim() == 3 && v < mesh.n_vertices(); ++v) {
+        const auto others = patch::slide(mesh, v);
+        if (!others)
+            continue;
+        const surface::Line line{point_of(mesh, (*others)[0]), point_of(mesh, (*others)[1])};
+        const Eigen::Vector3d p = point_of(mesh, v);
+        const double place = line.place(p), length = (line.end - line.start).norm();
+        if (length == 0 || (place > 0 && place < 1) || (line.at(place) - p).norm() > rounding * length)
+            continue;
+        const Eigen::Vector3d middle = line.at(0.5);
+        mesh.set_point(v, {middle.x(), middle.y(), middle.z()});
+    }
 }
 
 std::vector<geometry::Rail> rails_of(const mesh::QuadMesh &mesh) {

@@ -17,6 +17,10 @@ geometry::Rail rail_of(const mesh::QuadMesh &mesh, int vertex);
 // [vertex]; empty if no vertex may slide.
 std::vector<geometry::Rail> rails_of(const mesh::QuadMesh &mesh);
 
+// Where a feature runs back on itself along a line, so that quads at it are folded, its vertices are put in
+// order: it stays the same set of points.
+void straighten(mesh::QuadMesh &mesh);
+
 // Vertices on features get no normals, see geometry::Drape: the surface would give them one of a side that
 // chance chooses, and the quads on the other side would look ill-shaped. vertices: those of the mesh in the
 // drape; quads use their places there.

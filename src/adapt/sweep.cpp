@@ -173,6 +173,8 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
 
 // A commit brings the number of faces nearer to what is wanted, or leaves it within the slack.
 bool Sweep::welcome(const Pass &pass, const Trial &trial) const {
+    if (trial.singular_change > std::max(0, most_singular_ - singular_))
+        return false;
     const auto more = static_cast<std::int64_t>(trial.proposal.filling.quads.size()) -
                       static_cast<std::int64_t>(trial.proposal.window.faces.size());
     const std::int64_t miss = std::abs(missing() - more);
@@ -212,6 +214,9 @@ void Sweep::grow_windows(const Pass &pass, Round &round) {
         const std::vector<int> all = growth.surround(place.faces, rim_layers);
         place.rim.assign(all.begin() + static_cast<std::ptrdiff_t>(place.faces.size()), all.end());
         round.goals[i] = goal_of(pass, place.faces);
+        if (round.goals[i])
+            round.goals[i]->most_added =
+                std::min(round.goals[i]->most_added, std::max(0, most_singular_ - singular_));
     });
 }
 

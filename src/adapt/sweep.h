@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <vector>
 
 #include "adapt/density.h"
@@ -39,6 +40,9 @@ public:
     // shares: how many of the wanted faces each face stands for.
     Sweep(mesh::QuadMesh &mesh, Ground &ground, std::vector<double> shares,
           const std::optional<Density> &density, const Settings &settings);
+
+    // No filling is taken that would leave more singular vertices than that.
+    void limit(int most_singular) { most_singular_ = most_singular; }
 
     // Tries a window around every singular vertex once, where faces are to be moved elsewhere, too, and
     // returns how many were refilled. `between` is called between rounds on the calling thread with the part
@@ -84,7 +88,7 @@ private:
     Workers workers_;
     std::vector<patch::Growth> growths_; // [worker]
     fill::Random random_;
-    int singular_ = 0;
+    int singular_ = 0, most_singular_ = std::numeric_limits<int>::max();
     std::vector<int> place_; // [vertex] in seeds_, -1 if none
     std::vector<int> seeds_; // vertices, -1 if gone
     std::vector<int> taken_; // [face] epoch_ if a window chosen now holds it

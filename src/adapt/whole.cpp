@@ -12,6 +12,7 @@
 #include "adapt/begin.h"
 #include "adapt/density.h"
 #include "adapt/persist.h"
+#include "adapt/rails.h"
 #include "adapt/relax.h"
 #include "adapt/sweep.h"
 #include "adapt/tally.h"
@@ -95,6 +96,30 @@ public:
           quality_(std::max(working_quality(mesh, ground), settings.min_quality)),
           near_(ground.coverage ? ground.coverage->tolerance() : 0), singular_before_(sweep_.singular()) {}
 
+    // Never more singular vertices than there are now.
+    void keep_singular() { sweep_.limit(sweep_.singular()); }
+
+    void run(bool exact) {
+        spread();
+        collapse();
+        reduce(0);
+        if (ground_.surface) {
+            mend();
+            persist();
+        }
+        if (exact && count() && !ground_.surface) {
+            reduce(60);
+            count();
+        }
+        for (int k = 0; exact && ground_.surface && k < more && rose(); ++k) {
+            reduce(60);
+            persist();
+            count();
+        }
+        finish();
+    }
+
+private:
     // Faces go to where a size field wants them, before singularities are saved.
     void spread() {
         if (!density_ || !density_->wished())
@@ -268,7 +293,6 @@ public:
         tell(1, "mend");
     }
 
-private:
     // Windows of this size or more that save little twice end the search. On a small surface larger ones
     // seldom fit a chart.
     int large_enough() const {
@@ -301,11 +325,7 @@ private:
 
     Shapeliness wish(double part) const { return {part * quality_, part * least_shape, poor_price}; }
 
-    // Stages come more than once; what was told does not fall.
-    void tell(double fraction, const char *stage) {
-        told_ = std::max(told_, fraction);
-        progress_(told_, stage);
-    }
+    void tell(double fraction, const char *stage) { progress_(fraction, stage); }
 
     int run(const Pass &pass, const char *stage, double start, double part) {
         return sweep_.run(pass, [&](double fraction) { tell(start + part * fraction, stage); });
@@ -320,7 +340,6 @@ private:
     Sweep sweep_;
     const double quality_, near_; // near_: usual tolerance of the distance to the surface
     const int singular_before_;
-    double told_ = 0; // of the progress
 };
 
 Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings,
@@ -336,37 +355,47 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
         const std::vector<double> each = ground.scaled_jacobians(mesh);
         quality = *std::min_element(each.begin(), each.end());
     };
+    straighten(mesh);
     describe(ground_of(mesh), outcome.valences_before, outcome.singular_before, outcome.quality_before);
+    // Stages come more than once; what was told does not fall.
+    const Progress tell = [&progress, told = 0.0](double fraction, const char *stage) mutable {
+        told = std::max(told, fraction);
+        progress(told, stage);
+    };
     std::optional<Crosses> crosses;
     if (settings.align && mesh.surface)
         crosses.emplace(mesh);
-    begin_with_chords(mesh, outcome.faces_wanted, settings);
+    begin_with_chords(mesh, outcome.faces_wanted, settings, tell);
     Ground ground = ground_of(mesh);
-    if (ground.surface)
-        ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted, settings.tolerance);
-    Whole work(mesh, ground, outcome.faces_wanted, crosses, settings, progress);
-    work.spread();
-    work.collapse();
-    work.reduce(0);
-    if (ground.surface) {
-        work.mend();
-        work.persist();
+    std::optional<mesh::QuadMesh> begun;
+    if (ground.surface && mesh.field(Entity::vertex, "size") == nullptr)
+        begun = mesh;
+    bool careful = false;
+    const auto work = [&] {
+        if (ground.surface)
+            ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted, settings.tolerance);
+        Whole whole(mesh, ground, outcome.faces_wanted, crosses, settings, tell);
+        if (careful)
+            whole.keep_singular();
+        whole.run(exact);
+        outcome.faces_after = mesh.n_faces();
+        outcome.valences_after.clear();
+        outcome.singular_after = 0;
+        describe(ground, outcome.valences_after, outcome.singular_after, outcome.quality_after);
+    };
+    work();
+    const bool missed = exact && outcome.faces_after != outcome.faces_wanted;
+    if (begun && missed && outcome.singular_after > outcome.singular_before) {
+        careful = true; // more singular vertices did not buy the number of faces
+        mesh = std::move(*begun);
+        ground = ground_of(mesh);
+        work();
     }
-    if (exact && work.count() && !ground.surface) {
-        work.reduce(60);
-        work.count();
-    }
-    for (int k = 0; exact && ground.surface && k < more && work.rose(); ++k) {
-        work.reduce(60);
-        work.count();
-    }
-    work.finish();
-    outcome.faces_after = mesh.n_faces();
-    describe(ground, outcome.valences_after, outcome.singular_after, outcome.quality_after);
     if (exact && outcome.faces_after != outcome.faces_wanted)
         outcome.text = "the mesh has " + std::to_string(outcome.faces_after) + " faces where " +
                        std::to_string(outcome.faces_wanted) +
-                       " were wanted; no valid filling with more or fewer was found";
+                       " were wanted; no valid filling with more or fewer was found" +
+                       (careful ? " that would not leave more singular vertices than there were" : "");
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

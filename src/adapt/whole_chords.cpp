@@ -117,46 +117,6 @@ private:
     std::vector<std::size_t> length_;
 };
 
-// The shortest chords go first; what is refused is tried again after others went.
-void remove_chords(mesh::QuadMesh &mesh, std::int64_t least_faces, const chord::Rules &rules,
-                   const std::optional<geometry::Plane> &plane, const Progress &progress) {
-    using Waiting = std::pair<std::size_t, std::size_t>; // length, number; true if the length still is
-    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
-    Chords chords(mesh);
-    chord::Judge judge(mesh, rules);
-    for (std::size_t number = 0; number < chords.count(); ++number)
-        queue.push({chords.length(number), number});
-    std::vector<std::size_t> refused;
-    const double start = mesh.n_faces();
-    bool changed = false;
-    while (!queue.empty()) {
-        const auto [length, number] = queue.top();
-        queue.pop();
-        if (length > 0 && chords.length(number) == length) {
-            const bool room = mesh.n_faces() - static_cast<std::int64_t>(length) >= least_faces;
-            const chord::Chord chord = room ? chords.trace(number) : chord::Chord();
-            const chord::Collapse verdict = room ? judge(chord) : chord::Collapse();
-            if (!room || verdict.reasons != 0 || turns_over(mesh, chord, verdict, plane)) {
-                refused.push_back(number);
-            } else {
-                const std::vector<std::size_t> across = chords.across(chord);
-                std::vector<int> survivors;
-                chords.follow(chord, remove(mesh, chord, verdict, survivors), number, across);
-                for (const std::size_t other : across)
-                    queue.push({chords.length(other), other});
-                changed = true;
-                progress(std::min(0.9, 0.9 * (start - mesh.n_faces()) / start), "chords");
-            }
-        }
-        if (queue.empty() && changed) {
-            for (const std::size_t waiting : refused)
-                queue.push({chords.length(waiting), waiting});
-            refused.clear();
-            changed = false;
-        }
-    }
-}
-
 // Mean of its edges.
 double width_of(const mesh::QuadMesh &mesh, const chord::Chord &chord) {
     double sum = 0;
@@ -166,6 +126,104 @@ double width_of(const mesh::QuadMesh &mesh, const chord::Chord &chord) {
     }
     return sum / static_cast<double>(chord.sides.size());
 }
+
+// Chords that wait to be removed, the shortest or narrowest first. What one was when it came is looked at
+// again when its turn has come.
+class Waiting {
+public:
+    explicit Waiting(std::size_t chords) : rank_(chords) {}
+
+    void push(std::size_t number, double rank) {
+        rank_[number] = rank;
+        queue_.push({rank, number});
+    }
+    bool empty() const { return queue_.empty(); }
+    // Nothing if it came again meanwhile.
+    std::optional<std::size_t> pop() {
+        const auto [rank, number] = queue_.top();
+        queue_.pop();
+        return rank == rank_[number] ? std::optional(number) : std::nullopt;
+    }
+    double rank(std::size_t number) const { return rank_[number]; }
+
+private:
+    using Entry = std::pair<double, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+    std::vector<double> rank_; // [chord]
+};
+
+class Removal {
+public:
+    Removal(mesh::QuadMesh &mesh, std::int64_t least_faces, const chord::Rules &rules, Order order)
+        : mesh_(mesh), least_faces_(least_faces), order_(order), plane_(plane_of_all(mesh)), chords_(mesh),
+          judge_(mesh, rules), waiting_(chords_.count()) {
+        for (std::size_t number = 0; number < chords_.count(); ++number)
+            waiting_.push(number, rank(number));
+    }
+
+    // What is refused is tried again after others went.
+    void run(const Progress &progress) {
+        const double start = mesh_.n_faces();
+        std::vector<std::size_t> refused;
+        bool changed = false;
+        while (!waiting_.empty()) {
+            const std::optional<std::size_t> next = waiting_.pop();
+            if (next && chords_.length(*next) > 0) {
+                if (const double now = rank(*next); now > waiting_.rank(*next)) {
+                    waiting_.push(*next, now);
+                } else if (remove_chord(*next)) {
+                    changed = true;
+                    progress(std::min(0.9, 0.9 * (start - mesh_.n_faces()) / start), "chords");
+                } else {
+                    refused.push_back(*next);
+                }
+            }
+            if (waiting_.empty() && changed) {
+                for (const std::size_t number : refused)
+                    if (chords_.length(number) > 0)
+                        waiting_.push(number, rank(number));
+                refused.clear();
+                changed = false;
+            }
+        }
+    }
+
+private:
+    static std::optional<geometry::Plane> plane_of_all(const mesh::QuadMesh &mesh) {
+        std::vector<int> all(at(mesh.n_faces()));
+        std::iota(all.begin(), all.end(), 0);
+        return plane_of(mesh, all);
+    }
+
+    double rank(std::size_t number) {
+        return order_ == Order::shortest ? static_cast<double>(chords_.length(number))
+                                         : width_of(mesh_, chords_.trace(number));
+    }
+
+    bool remove_chord(std::size_t number) {
+        if (mesh_.n_faces() - static_cast<std::int64_t>(chords_.length(number)) < least_faces_)
+            return false;
+        const chord::Chord chord = chords_.trace(number);
+        const chord::Collapse verdict = judge_(chord);
+        if (verdict.reasons != 0 || turns_over(mesh_, chord, verdict, plane_))
+            return false;
+        const std::vector<std::size_t> across = chords_.across(chord);
+        std::vector<int> survivors;
+        chords_.follow(chord, remove(mesh_, chord, verdict, survivors), number, across);
+        for (const std::size_t other : across)
+            if (order_ == Order::shortest && chords_.length(other) > 0)
+                waiting_.push(other, rank(other));
+        return true;
+    }
+
+    mesh::QuadMesh &mesh_;
+    const std::int64_t least_faces_;
+    const Order order_;
+    const std::optional<geometry::Plane> plane_;
+    Chords chords_;
+    chord::Judge judge_;
+    Waiting waiting_;
+};
 
 // The widest closed chord that fits goes first; it is split no more than once more than others.
 void split_chords(mesh::QuadMesh &mesh, std::int64_t most_faces, const chord::Rules &rules,
@@ -206,15 +264,12 @@ void smooth_or_leave(mesh::QuadMesh &mesh, const Settings &settings) {
 
 } // namespace
 
-void approach_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules,
+void approach_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules, Order order,
                         const Progress &progress) {
-    if (wanted > mesh.n_faces()) {
+    if (wanted > mesh.n_faces())
         split_chords(mesh, wanted, rules, progress);
-    } else {
-        std::vector<int> all(at(mesh.n_faces()));
-        std::iota(all.begin(), all.end(), 0);
-        remove_chords(mesh, wanted, rules, plane_of(mesh, all), progress);
-    }
+    else
+        Removal(mesh, wanted, rules, order).run(progress);
 }
 
 Outcome adapt_chords(mesh::QuadMesh &mesh, double alpha, std::int64_t most_faces, const chord::Rules &rules,
@@ -222,7 +277,7 @@ Outcome adapt_chords(mesh::QuadMesh &mesh, double alpha, std::int64_t most_faces
     Account account(mesh);
     const std::int64_t wanted = wanted_faces(alpha, at(mesh.n_faces()));
     keep_surface(mesh);
-    approach_by_chords(mesh, std::min(wanted, most_faces), rules, progress);
+    approach_by_chords(mesh, std::min(wanted, most_faces), rules, Order::shortest, progress);
     progress(0.9, "smooth");
     smooth_or_leave(mesh, settings);
     progress(1, "smooth");

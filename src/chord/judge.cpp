@@ -49,7 +49,7 @@ struct Hold {
     bool held = false;
     double turn = 0;
 };
-Hold hold_of(const mesh::QuadMesh &mesh, int v) {
+Hold hold_of(const mesh::QuadMesh &mesh, int v, const Rules &rules) {
     const std::uint8_t flags = value(mesh.vertex_flags, v);
     std::vector<int> curve; // the other ends of its edges
     bool fixed = (flags & (mesh::fixed | mesh::corner)) != 0;
@@ -63,6 +63,8 @@ Hold hold_of(const mesh::QuadMesh &mesh, int v) {
         return {true, corner};
     if (curve.empty())
         return {};
+    if (rules.spared)
+        return {true, rules.spared(mesh, v) ? 0 : corner};
     const OpenMesh::Vec3d a = direction(mesh, curve[0], v), b = direction(mesh, v, curve[1]);
     return {true, std::atan2(OpenMesh::cross(a, b).norm(), OpenMesh::dot(a, b)) * 180 / std::numbers::pi};
 }
@@ -209,10 +211,10 @@ std::vector<Judge::Count> Judge::gather(const Chord &chord, Collapse &result) {
         count.curve_edges += on_curve(mesh_, side / 2);
         for (const int v : {start_of(kernel, side), end_of(kernel, side)})
             result.groups[at(group)].others.push_back(v);
-        if (on_curve(mesh_, side / 2) && !rules_.boundary)
-            result.refuse(outer(kernel, side / 2) ? at_boundary : at_feature,
-                          outer(kernel, side / 2) ? Entity::edge : Entity::vertex,
-                          outer(kernel, side / 2) ? side / 2 : start_of(kernel, side));
+        if (outer(kernel, side / 2) && !rules_.boundary)
+            result.refuse(at_boundary, Entity::edge, side / 2);
+        else if (on_curve(mesh_, side / 2) && !rules_.boundary && !rules_.spared)
+            result.refuse(at_feature, Entity::vertex, start_of(kernel, side));
     }
     for (Group &group : result.groups) {
         std::sort(group.others.begin(), group.others.end());
@@ -244,7 +246,7 @@ void Judge::test_curves(Group &group, const Count &count, Collapse &result) cons
     int held = 0, corners = 0, boundary = 0, fixed = 0;
     double sharpest = -1;
     for (const int v : group.others) {
-        const Hold hold = hold_of(mesh_, v);
+        const Hold hold = hold_of(mesh_, v, rules_);
         held += hold.held;
         boundary += mesh_.on_boundary(v);
         fixed += (value(mesh_.vertex_flags, v) & mesh::fixed) != 0;

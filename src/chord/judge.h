@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ enum Reason : std::int32_t {
 struct Rules {
     bool boundary = false; // the mesh boundary may be changed, and features lose vertices
     double straight = 30;  // degrees they may turn at a vertex that goes
+    // If given, features lose just the vertices for which it holds, whatever they turn there.
+    std::function<bool(const mesh::QuadMesh &mesh, int vertex)> spared = nullptr;
 };
 
 // Vertices that become one.

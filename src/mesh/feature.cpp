@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double corner_turn = 60; // degrees
+constexpr double corner_turn = 60, fold_turn = 180 - 1e-3; // degrees
 
 Vector3d point_of(const QuadMesh &mesh, int vertex) {
     const OpenMesh::Vec3d &p = mesh.point(vertex);
@@ -72,7 +72,8 @@ std::vector<int> corners_of(const QuadMesh &mesh, const std::vector<bool> &on_cu
     std::vector<int> corners;
     for (int v = 0; v < mesh.n_vertices(); ++v) {
         const auto &[n, others] = ends[static_cast<std::size_t>(v)];
-        if (n != 0 && (n != 2 || turn(v, others) > corner_turn))
+        const double turned = n == 2 ? turn(v, others) : corner_turn;
+        if (n != 0 && (n != 2 || (turned > corner_turn && turned < fold_turn)))
             corners.push_back(v);
     }
     return corners;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <numeric>
 #include <queue>
 
@@ -9,6 +10,7 @@
 #include "adapt/run.h"
 #include "chord/meshes.h"
 #include "chord/table.h"
+#include "mesh/curved.h"
 
 namespace alphamst::adapt::samples {
 namespace {
@@ -203,6 +205,36 @@ TEST(AdaptChords, RemovesOrSplitsWholeChordsTowardsTheCount) {
         for (const chord::Row &row : chord::table(mesh, {}))
             EXPECT_TRUE(row.reasons != 0 || row.length > missing) << alpha << ": " << missing;
     }
+}
+
+// A torus of 24 by 12 faces of which the rows 5 and 6 are narrow: they go, though others are as short.
+TEST(ApproachByChords, TheNarrowestGoFirst) {
+    const auto place = [](double t) { // [row boundary / 24]
+        const double row = 24 * t;
+        return (row <= 5 ? row : row <= 7 ? 5 + 0.2 * (row - 5) : row - 1.6) / 22.4;
+    };
+    const auto at_angles = [&](double s, double t) {
+        const double a = 2 * std::numbers::pi * place(s), b = 2 * std::numbers::pi * t;
+        return Eigen::Vector3d((3 + std::cos(b)) * std::cos(a), (3 + std::cos(b)) * std::sin(a), std::sin(b));
+    };
+    const mesh::QuadMesh start = mesh::grid(24, 12, at_angles, true, true);
+    ASSERT_EQ(start.n_faces(), 288);
+    const auto narrowest = [](const mesh::QuadMesh &mesh) {
+        double least = 10;
+        for (int e = 0; e < mesh.n_edges(); ++e) {
+            const auto [v, w] = mesh.edge_vertices(e);
+            least = std::min(least, (mesh.point(v) - mesh.point(w)).norm());
+        }
+        return least;
+    };
+    const double before = narrowest(start);
+    mesh::QuadMesh mesh = start;
+    approach_by_chords(mesh, 288 - 12, {}, Order::narrowest, silent);
+    EXPECT_EQ(mesh.n_faces(), 288 - 12);
+    EXPECT_NEAR(narrowest(mesh), 1.5 * before, 0.1 * before); // the other one, wider by half of it
+    approach_by_chords(mesh, 288 - 24, {}, Order::narrowest, silent);
+    EXPECT_EQ(mesh.n_faces(), 288 - 24);
+    EXPECT_GT(narrowest(mesh), 2.3 * before);
 }
 
 TEST(AdaptChords, RemovesEveryChordThatCanGo) {

@@ -284,24 +284,81 @@ TEST(Rails, BordersOfRegionsSlideAndStayStraight) {
     EXPECT_GT(moved, 3 * (n - 1));
 }
 
-// The whole way: windows, relaxing, exact number of faces.
+// The whole way: chords, windows, relaxing, exact number of faces.
 TEST(Rails, AnAdaptedBoxHasTheSameEdges) {
-    Box box;
-    const Box before = box;
-    const double alpha = 1.5;
-    adapt_whole(box.mesh, alpha, {}, silent);
-    ASSERT_NO_THROW(box.mesh.check());
-    EXPECT_NEAR(mesh::surface_of(box.mesh)->area(), 22, 1e-9);
-    double length = 0;
-    for (int e = 0; e < box.mesh.n_edges(); ++e)
-        if (box.mesh.edge_flags[at(e)] == mesh::feature) {
-            const auto [v, w] = box.mesh.edge_vertices(e);
-            const std::array ends{point_of(box.mesh, v), point_of(box.mesh, w)};
-            EXPECT_GE(box.mesh.curves->find(ends), 0);
-            length += (ends[1] - ends[0]).norm();
+    for (const double alpha : {0.4, 1.5}) {
+        Box box;
+        const Outcome outcome = adapt_whole(box.mesh, alpha, {}, silent);
+        ASSERT_NO_THROW(box.mesh.check());
+        EXPECT_EQ(outcome.faces_after, outcome.faces_wanted);
+        EXPECT_LE(outcome.singular_after, 8) << alpha;
+        EXPECT_GT(outcome.quality_after, 0);
+        EXPECT_NEAR(mesh::surface_of(box.mesh)->area(), 22, 1e-9);
+        double length = 0;
+        int edges = 0;
+        for (int e = 0; e < box.mesh.n_edges(); ++e)
+            if (box.mesh.edge_flags[at(e)] == mesh::feature) {
+                const auto [v, w] = box.mesh.edge_vertices(e);
+                const std::array ends{point_of(box.mesh, v), point_of(box.mesh, w)};
+                EXPECT_GE(box.mesh.curves->find(ends), 0);
+                length += (ends[1] - ends[0]).norm();
+                ++edges;
+            }
+        EXPECT_NEAR(length, 24, 1e-12);
+        EXPECT_EQ(box.mesh.curves->lines().size(), 12u);
+        if (alpha < 1) {
+            EXPECT_LT(edges, 12 * n);
+        } else {
+            EXPECT_GE(edges, 12 * n);
         }
-    EXPECT_NEAR(length, 24, 1e-12);
-    EXPECT_EQ(box.mesh.curves->lines().size(), 12u);
+    }
+}
+
+// Two neighbours on an edge of the box in the wrong order, so that the quads at it are folded.
+struct Folded : Box {
+    Folded() : Box(1, 1, 0) {
+        mesh.edge_flags.assign(mesh.edge_flags.size(), 0);
+        mesh.vertex_flags.assign(mesh.vertex_flags.size(), 0);
+        std::array<int, 2> pair{-1, -1};
+        for (int v = 0; v < mesh.n_vertices(); ++v)
+            for (std::size_t k = 0; k < 2; ++k)
+                if (parameters[at(v)] == Vector3d(3.0 + static_cast<double>(k), 0, 0))
+                    pair[k] = v;
+        const OpenMesh::Vec3d step = 0.6 * (mesh.point(pair[1]) - mesh.point(pair[0]));
+        mesh.set_point(pair[0], mesh.point(pair[0]) + step);
+        mesh.set_point(pair[1], mesh.point(pair[1]) - step);
+        flag_features(mesh);
+    }
+};
+
+TEST(Rails, AFoldIsNoCorner) {
+    const Folded box;
+    EXPECT_EQ(std::count(box.mesh.vertex_flags.begin(), box.mesh.vertex_flags.end(), mesh::corner), 8);
+}
+
+TEST(Rails, FoldedVerticesComeInOrder) {
+    Folded box;
+    const Box before(1, 1, 0);
+    straighten(box.mesh);
+    expect_on_edges(box, before.mesh);
+    expect_in_order(box);
+    const auto once = box.mesh.checksum();
+    straighten(box.mesh);
+    EXPECT_EQ(box.mesh.checksum(), once);
+    box = Folded();
+    EXPECT_EQ(adapt_whole(box.mesh, 1, {}, silent).singular_after, 8);
+    EXPECT_NEAR(mesh::surface_of(box.mesh)->area(), 22, 1e-9);
+    for (const double quality : ground_of(box.mesh).scaled_jacobians(box.mesh))
+        EXPECT_GT(quality, 0);
+}
+
+TEST(Rails, FixedVerticesStayFolded) {
+    Folded box;
+    for (std::uint8_t &flags : box.mesh.vertex_flags)
+        flags |= mesh::fixed;
+    const auto before = box.mesh.checksum();
+    straighten(box.mesh);
+    EXPECT_EQ(box.mesh.checksum(), before);
 }
 
 } // namespace

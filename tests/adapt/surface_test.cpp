@@ -3,6 +3,7 @@
 #include "adapt/ground.h"
 #include "adapt/locate.h"
 #include "eared.h"
+#include "mesh/grids.h"
 #include "mesh/reference.h"
 #include "run.h"
 
@@ -117,6 +118,23 @@ TEST(Surface, SmoothingSlidesAlongIt) {
     EXPECT_GE(outcome.quality_after, outcome.quality_before);
     EXPECT_NE(mesh.checksum(), before.checksum());
     EXPECT_LT(distance(mesh, before), 1e-12);
+}
+
+// Curved features keep all their vertices, and so few faces have no room for them. Singular vertices
+// that do not help are not made: there were none.
+TEST(Surface, SingularitiesDoNotRiseInVain) {
+    mesh::QuadMesh torus = mesh::torus(32, 16).build(3);
+    for (int e = 0; e < torus.n_edges(); ++e) { // squares of eight by eight faces
+        const auto [v, w] = torus.edge_vertices(e);
+        if ((v / 32 == w / 32 && v / 32 % 8 == 0) || (v % 32 == w % 32 && v % 8 == 0))
+            torus.edge_flags[at(e)] |= mesh::feature;
+    }
+    const Outcome outcome = adapt_whole(torus, 0.1, {}, silent);
+    EXPECT_EQ(outcome.singular_after, 0);
+    EXPECT_TRUE(torus.singularities().empty());
+    EXPECT_GT(outcome.faces_after, outcome.faces_wanted);
+    EXPECT_NE(outcome.text.find("more singular vertices than there were"), std::string::npos) << outcome.text;
+    EXPECT_GT(outcome.quality_after, 0);
 }
 
 TEST(Surface, FlaggedVerticesAndEdgesStay) {

@@ -13,7 +13,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr Rules everything{true, 400};
+const Rules everything{true, 400};
 
 int find(std::vector<int> &parent, int v) {
     while (parent[at(v)] != v)
@@ -177,6 +177,44 @@ TEST(Judge, ASplitOfAFixedFaceIsRefused) {
     EXPECT_EQ(faces_added(chord, 3), 18);
     mesh.face_flags[at(chord.faces[2])] = mesh::fixed;
     EXPECT_EQ(judge_split(mesh, chord, {}).reasons, is_fixed);
+}
+
+TEST(Judge, FeaturesLoseWhatIsSparedAndTheBoundaryNothing) {
+    mesh::QuadMesh mesh = samples::sphere(4);
+    const auto sides = [&](int v) { // of the cube
+        int n = 0;
+        for (const double x : mesh.point(v))
+            n += x == 0 || x == 4;
+        return n;
+    };
+    int across = -1; // an edge of the mesh amid an edge of the cube
+    for (int e = 0; e < mesh.n_edges(); ++e) {
+        const auto [v, w] = mesh.edge_vertices(e);
+        if (sides(v) >= 2 && sides(w) >= 2)
+            mesh.edge_flags[at(e)] = mesh::feature;
+        if (sides(v) == 2 && sides(w) == 2)
+            across = e;
+    }
+    const Chord chord = trace(mesh, across);
+    const auto reasons = [&](const std::function<bool(const mesh::QuadMesh &, int)> &spared) {
+        Rules rules;
+        rules.spared = spared;
+        return Judge(mesh, rules)(chord).reasons;
+    };
+    EXPECT_EQ(reasons(nullptr), at_feature);
+    EXPECT_EQ(reasons([](const mesh::QuadMesh &, int) { return true; }), 0);
+    EXPECT_EQ(reasons([](const mesh::QuadMesh &, int) { return false; }), at_feature);
+    // Of the two ends of each edge one is enough.
+    std::set<int> ends;
+    for (const int side : chord.sides)
+        if (mesh.edge_flags[at(side / 2)] != 0)
+            ends.insert(mesh.edge_vertices(side / 2)[0]);
+    EXPECT_EQ(reasons([&](const mesh::QuadMesh &, int v) { return ends.contains(v); }), 0);
+
+    const mesh::QuadMesh open = samples::grid(4, 4);
+    Rules rules;
+    rules.spared = [](const mesh::QuadMesh &, int) { return true; };
+    EXPECT_EQ(Judge(open, rules)(trace(open, label(open).first[0])).reasons, at_boundary);
 }
 
 } // namespace
