@@ -111,7 +111,7 @@ public:
             reduce(60);
             count();
         }
-        for (int k = 0; exact && ground_.surface && k < more && rose(); ++k) {
+        for (int k = 0; exact && ground_.surface && k < more && rose() && sweep_.missing() == 0; ++k) {
             reduce(60);
             persist();
             count();

@@ -27,7 +27,7 @@ double worst_corner(mesh::QuadMesh mesh) {
 }
 
 TEST(Surface, WholeMeshesGetTheirFacesAndFewSingularities) {
-    const mesh::QuadMesh before = eared(4);
+    const mesh::QuadMesh before = eared(3);
     const auto singular = before.singularities().size();
     for (const double alpha : {0.5, 1.0, 2.0}) {
         mesh::QuadMesh mesh = before;
@@ -42,7 +42,7 @@ TEST(Surface, WholeMeshesGetTheirFacesAndFewSingularities) {
 }
 
 TEST(Surface, VerticesKeepToItAndItStaysCovered) {
-    const mesh::QuadMesh before = eared(4);
+    const mesh::QuadMesh before = eared(3);
     mesh::QuadMesh mesh = before;
     adapt_whole(mesh, 0.5, {}, silent);
     EXPECT_LT(distance(mesh, before), 1e-12);
@@ -55,7 +55,7 @@ TEST(Surface, VerticesKeepToItAndItStaysCovered) {
 }
 
 TEST(Surface, ProgressNeverFalls) {
-    mesh::QuadMesh mesh = eared(4);
+    mesh::QuadMesh mesh = eared(3);
     double told = 0;
     adapt_whole(mesh, 0.6, {}, [&](double fraction, const char *stage) {
         EXPECT_GE(fraction, told) << stage;
@@ -79,7 +79,7 @@ TEST(Surface, SameResultForAnyNumberOfThreads) {
 }
 
 TEST(Surface, PatchesKeepWhatIsOutside) {
-    mesh::QuadMesh mesh = eared(4);
+    mesh::QuadMesh mesh = eared(3);
     const mesh::QuadMesh before = mesh;
     std::vector<char> taken(at(mesh.n_faces()), 0);
     std::vector<Region> regions;
@@ -123,10 +123,10 @@ TEST(Surface, SmoothingSlidesAlongIt) {
 // Curved features keep all their vertices, and so few faces have no room for them. Singular vertices
 // that do not help are not made: there were none.
 TEST(Surface, SingularitiesDoNotRiseInVain) {
-    mesh::QuadMesh torus = mesh::torus(32, 16).build(3);
-    for (int e = 0; e < torus.n_edges(); ++e) { // squares of eight by eight faces
+    mesh::QuadMesh torus = mesh::torus(16, 8).build(3);
+    for (int e = 0; e < torus.n_edges(); ++e) { // squares of four by four faces
         const auto [v, w] = torus.edge_vertices(e);
-        if ((v / 32 == w / 32 && v / 32 % 8 == 0) || (v % 32 == w % 32 && v % 8 == 0))
+        if ((v / 16 == w / 16 && v / 16 % 4 == 0) || (v % 16 == w % 16 && v % 4 == 0))
             torus.edge_flags[at(e)] |= mesh::feature;
     }
     const Outcome outcome = adapt_whole(torus, 0.1, {}, silent);
@@ -138,7 +138,7 @@ TEST(Surface, SingularitiesDoNotRiseInVain) {
 }
 
 TEST(Surface, FlaggedVerticesAndEdgesStay) {
-    mesh::QuadMesh mesh = eared(4);
+    mesh::QuadMesh mesh = eared(3);
     // The equator, as far as edges of the octahedron's refinement are left by pairing.
     std::set<std::array<double, 3>> held;
     for (int e = 0; e < mesh.n_edges(); ++e) {

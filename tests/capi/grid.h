@@ -209,4 +209,17 @@ static inline void assert_outside_same(const snapshot *before, const amst_mesh *
     free(face_origin);
 }
 
+/* A grid of n x n squares with singularities: squares in it were refilled at alpha 2. */
+static inline amst_mesh *new_disturbed(amst_context *ctx, int32_t n) {
+    amst_mesh *mesh = new_grid(ctx, 0, n, n);
+    amst_patches *set = NULL;
+    must(amst_patches_create(mesh, NULL, &set));
+    for (int32_t low = 2; low + 6 < n; low += 7)
+        add_square(set, n, low, low + 6);
+    must(amst_adapt(mesh, set, 1.5, NULL, NULL));
+    amst_patches_destroy(set);
+    assert_true(n_singular(mesh) > 4);
+    return mesh;
+}
+
 #endif
