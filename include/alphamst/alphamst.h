@@ -218,7 +218,7 @@ enum amst_option {
     AMST_OPT_CANDIDATES = 3,       /* int, 16: fillings to try in a patch before it is left, 1..1000 */
     AMST_OPT_NODE_LIMIT = 4,       /* int, 1000: effort of one exact search, in quads laid, 0..10^9 */
     AMST_OPT_QUADRANGULATE = 5,    /* int, 0: triangles 0 are paired, 1 every face is split */
-    AMST_OPT_EDIT_BOUNDARY = 6,    /* int 0/1, 0: chords that end on the boundary may be changed */
+    AMST_OPT_EDIT_BOUNDARY = 6,    /* int 0/1, 0: chords that end on the boundary or cross features may go */
     AMST_OPT_STRATEGY = 7,         /* int, 0: amst_adapt of a whole mesh by windows, 1 by chords alone */
     AMST_OPT_ALIGN = 8,            /* int 0/1, 0: edges of a whole curved mesh turn to its cross field */
     AMST_OPT_CHART = 9,            /* int, 0: maps curved patches; 1 mean value, 2 conformal, 3 low stretch */
@@ -368,8 +368,8 @@ AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const a
                                     amst_mesh **out);
 /* The same formats without .su2 (.msh is Gmsh 2.2), and .svg, a picture with the
  * singularities marked and, if there is an edge field "chord", with a line through each face
- * between opposite edges of equal value, whose colour the value chooses. A curved mesh is shaded, and what lies
- * behind it is left out. A failure leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
+ * between opposite edges of equal value, whose colour the value chooses. A curved mesh is shaded, and what
+ * lies behind it is left out. A failure leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, fields and revision, without savepoints. */
 AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
@@ -427,8 +427,8 @@ AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, 
 /* Flags the edges whose two faces have normals more than angle degrees apart, 0..180, as
  * FEATURE; and as CORNER the vertices where curves of FEATURE edges, these and those that
  * had the flag before, end or cross (one or more than two edges of them) or turn by more
- * than 60 degrees. No flag is taken away; the revision stays. found, the number of edges
- * at more than angle, may be NULL. Errors: NOT_FINITE, RANGE (angle). */
+ * than 60 degrees, but not right back: that is a fold. No flag is taken away; the revision stays. found, the
+ * number of edges at more than angle, may be NULL. Errors: NOT_FINITE, RANGE (angle). */
 AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, int64_t *found);
 
 /* ------------------------------------------------------------------- fields */
@@ -597,14 +597,18 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * number of threads. On a curved mesh vertices keep to its surface, see
  * amst_mesh_set_surface, surface and mesh stay within AMST_OPT_TOLERANCE wanted edge
  * lengths of each other, but for the last faces of the count, and faces are denser where
- * it bends more. With AMST_OPT_ALIGN its edges turn at last towards the face field "cross"
- * or, without one, towards what amst_mesh_compute_cross_field would give. AMST_OPT_CHART
- * is the map that lays a curved patch, given or window, in the plane to be filled: 0
- * projects it where it turns little, else has each vertex on a disk amid its neighbours
- * (Tutte), 1 has it there by mean value coordinates, 2 keeps angles and lets the boundary
- * go where it wants, 3 stretches less on the disk. A map that folds is not used: 2 and 3
- * give way to 1, and that to Tutte's, which never does.
- * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
+ * it bends more. A curved mesh that is nearly regular begins with whole chords. Features
+ * stay where they are; they lose and get vertices only where they are straight. With
+ * AMST_OPT_EDIT_BOUNDARY those chords take vertices from features and boundary that turn
+ * there by less than 30 degrees, too; for coarse meshes of machine parts that may be
+ * needed. Where the number of faces of a curved mesh cannot be had, no more singular
+ * vertices are made than there were. With AMST_OPT_ALIGN its edges turn at last towards the face field
+ * "cross" or, without one, towards what amst_mesh_compute_cross_field would give. AMST_OPT_CHART is the map
+ * that lays a curved patch, given or window, in the plane to be filled: 0 projects it where it turns little,
+ * else has each vertex on a disk amid its neighbours (Tutte), 1 has it there by mean value coordinates, 2
+ * keeps angles and lets the boundary go where it wants, 3 stretches less on the disk. A map that folds is not
+ * used: 2 and 3 give way to 1, and that to Tutte's, which never does. Errors: ARGUMENT (alpha <= 0),
+ * NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);
 /* Replace each patch by its minimum singularity template, boundary kept. patches

@@ -36,8 +36,9 @@ struct Settings {
     double min_quality = 0;         // a filling must have a larger scaled Jacobian
     double tolerance = 0.5;         // of the distance to the surface both ways, in wanted edges
     ChartKind chart = ChartKind::plane_or_circle;
-    bool align = false; // whole curved meshes: edges along the cross field
-    int threads = 1;    // 0: all cores
+    bool edit_boundary = false; // chords that end on it, or cross features, may go from whole curved meshes
+    bool align = false;         // whole curved meshes: edges along the cross field
+    int threads = 1;            // 0: all cores
 };
 
 // Called on the calling thread only, between steps; throws Failure (cancelled) to stop.

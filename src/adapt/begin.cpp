@@ -13,9 +13,10 @@
 namespace alphamst::adapt {
 namespace {
 
-constexpr int seldom = 25;    // faces for each singular vertex of a nearly regular mesh, or more
-constexpr double near = 0.1;  // of the wanted faces: that may be missing
-constexpr double step = 0.15; // of the faces go before all is relaxed
+constexpr int seldom = 25;   // faces for each singular vertex of a nearly regular mesh, or more
+constexpr double near = 0.1; // of the wanted faces: that may be missing
+// Of the faces go before all is relaxed; where that does not come right half of that is tried, and so on.
+constexpr double step = 0.15, least_step = 0.01;
 
 void silent(double /*fraction*/, const char * /*stage*/) {}
 
@@ -37,13 +38,11 @@ std::int64_t count_inverted(mesh::QuadMesh &mesh) {
 bool spared(const mesh::QuadMesh &mesh, int vertex) { return static_cast<bool>(rail_of(mesh, vertex)); }
 
 // In steps, as chords say nothing of shapes; the last of them that comes right is the answer.
-void coarsen_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const Settings &settings,
-                       const Progress &progress) {
-    chord::Rules rules;
-    rules.spared = spared;
-    for (;;) {
+void coarsen_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules,
+                       const Settings &settings, const Progress &progress) {
+    for (double part = step; part > least_step;) {
         mesh::QuadMesh other = mesh;
-        const auto next = static_cast<std::int64_t>((1 - step) * other.n_faces());
+        const auto next = static_cast<std::int64_t>((1 - part) * other.n_faces());
         progress(0, "chords");
         approach_by_chords(other, std::max(wanted, next), rules, Order::narrowest, silent);
         if (other.n_faces() == mesh.n_faces())
@@ -51,18 +50,20 @@ void coarsen_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const Settings
         land(other);
         Ground ground = ground_of(other);
         ground.coverage = coverage_of(other, *other.surface, wanted, settings.tolerance);
-        if (!ground.coverage->complete() || count_inverted(other) > count_inverted(mesh))
-            return;
+        if (!ground.coverage->complete() || count_inverted(other) > count_inverted(mesh)) {
+            part /= 2;
+            continue;
+        }
         relax(other, ground, std::nullopt, settings);
         mesh = std::move(other);
     }
 }
 
-void refine_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const Settings &settings,
-                      const Progress &progress) {
+void refine_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules,
+                      const Settings &settings, const Progress &progress) {
     mesh::QuadMesh other = mesh;
     progress(0, "chords");
-    approach_by_chords(other, wanted, {}, Order::shortest, silent);
+    approach_by_chords(other, wanted, rules, Order::shortest, silent);
     land(other);
     if (coverage_of(other, *mesh.surface, wanted, settings.tolerance).complete() &&
         count_inverted(other) <= count_inverted(mesh))
@@ -80,10 +81,14 @@ void begin_with_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const Settings
     if (!mesh.surface || mesh.dim() == 2 || static_cast<double>(singular * seldom) > faces ||
         mesh.field(Entity::vertex, "size") != nullptr)
         return;
+    chord::Rules rules;
+    rules.boundary = settings.edit_boundary;
+    if (!settings.edit_boundary)
+        rules.spared = spared;
     if (aim >= (1 + near) * faces)
-        refine_by_chords(mesh, wanted, settings, progress);
+        refine_by_chords(mesh, wanted, rules, settings, progress);
     else if (aim <= (1 - near) * faces)
-        coarsen_by_chords(mesh, wanted, settings, progress);
+        coarsen_by_chords(mesh, wanted, rules, settings, progress);
 }
 
 } // namespace alphamst::adapt

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "adapt/locate.h"
+#include "adapt/rails.h"
 #include "adapt/tally.h"
 #include "mesh/reference.h"
 
@@ -25,8 +26,13 @@ bool same_points(const mesh::QuadMesh &mesh, const surface::Surface &surface) {
 } // namespace
 
 std::vector<double> Ground::scaled_jacobians(const mesh::QuadMesh &mesh) const {
-    if (!plane)
-        return geometry::scaled_jacobians(mesh.faces(), drape(mesh));
+    if (!plane) {
+        geometry::Drape all = drape(mesh);
+        std::vector<int> vertices(at(mesh.n_vertices()));
+        std::iota(vertices.begin(), vertices.end(), 0);
+        forget_normals(mesh, vertices, mesh.faces(), all);
+        return geometry::scaled_jacobians(mesh.faces(), all);
+    }
     const geometry::Points positions = flatten(mesh, *plane);
     std::vector<double> quality;
     for (std::size_t f = 0; f < mesh.faces().size(); ++f) {

@@ -1,346 +1,32 @@
-// Whole meshes: sweeps with windows that grow until nothing improves, then the exact
-// number of faces, then the shape of all.
+// Whole meshes: a start by chords, then the stages; once or twice more with less room where there would be
+// more singular vertices than before.
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
-#include <numeric>
+#include <tuple>
 
-#include "adapt/adapt.h"
-#include "adapt/align.h"
 #include "adapt/begin.h"
-#include "adapt/density.h"
-#include "adapt/persist.h"
+#include "adapt/propose.h"
 #include "adapt/rails.h"
-#include "adapt/relax.h"
-#include "adapt/sweep.h"
+#include "adapt/stages.h"
 #include "adapt/tally.h"
 
 namespace alphamst::adapt {
 namespace {
 
-// Smallest scaled Jacobian that windows keep, by what the mesh has; and smallest shape.
-constexpr double best_quality = 0.5, least_quality = 0.3, least_shape = 0.1;
-constexpr double poor_price = 3; // quads that may become poor for one singularity less
+// Singular vertices that there may be on the way, for each at first, where a first try left more.
+constexpr double some_room = 1.5, no_room = 1;
 
-constexpr std::array<int, 8> sizes = {16, 30, 60, 100, 160, 250, 400, 600};
-constexpr double most_misshapen = 100; // poor quads that a better worst one may cost
-constexpr int large = 160, large_on_surface = 100;
-constexpr int most_of_mesh = 12;    // larger windows than such a part of the mesh hardly ever come right
-constexpr int repeats = 3;          // with windows of one size
-constexpr int conclusive = 100;     // windows in vain that end the search with larger ones on a surface
-constexpr double worthwhile = 0.05; // of the singular vertices; those that save less end the search
-constexpr double slack = 0.03;      // of the wanted faces, while singularities come first
-constexpr double drift = 90;        // faces, likewise at the end: the count would add what was saved
-constexpr double far = 0.1;         // of the wanted faces; fewer that are missing are left to the count
-constexpr int more = 2;             // rounds for what the count made singular
-constexpr int collapses = 3;        // rounds, with windows of so many faces
-constexpr int collapsed_window = 60;
-constexpr double collapsed_shape = 0.4; // of the shape that windows keep
-constexpr double many = 0.1;            // singular vertices, for each face
-
-// What faces that are missing may cost, little by little: part of the shape that windows keep, singularities
-// added, tolerance of the distance to the surface.
-struct Level {
-    double shape;
-    int added;
-    double tolerance;
-};
-constexpr std::array<Level, 3> on_way = {{{1, 2, 1}, {0.6, 4, 1.4}, {0.4, 8, 2}}}; // far from the count
-constexpr std::array<Level, 3> mending = {{{1, 0, 1}, {0.3, 2, 1}, {0.1, 8, 3}}};
-constexpr int tries = 4;
-constexpr double good_way = 0.7; // of what was missing, or less, is what shall be left
-constexpr int large_on_way = 60;
-constexpr std::size_t most_sizes = 3; // of windows, the most promising
-constexpr std::array<Level, 6> levels = {
-    {{1, 0, 1}, {0.6, 0, 1.4}, {0.6, 2, 1.4}, {0.6, 4, 2}, {0.4, 8, 2}, {0.2, 16, 3}}};
-
-// A filling that does not come right soon gives way to another window.
-Settings hasty(Settings settings) {
-    settings.patient = false;
-    settings.candidates = std::min(settings.candidates, 3);
-    settings.least_area = 0.5;
-    settings.smooth_steps = std::min(settings.smooth_steps, 10);
-    return settings;
+void describe(const mesh::QuadMesh &mesh, const Ground &ground, std::map<int, std::int64_t> &valences,
+              std::int64_t &singular, double &quality) {
+    valences.clear();
+    singular = 0;
+    count(mesh, valences, singular);
+    const std::vector<double> each = ground.scaled_jacobians(mesh);
+    quality = *std::min_element(each.begin(), each.end());
 }
 
-// What all but one in a hundred faces of the mesh exceed, and some room to move.
-double working_quality(const mesh::QuadMesh &mesh, const Ground &ground) {
-    std::vector<double> quality = ground.scaled_jacobians(mesh);
-    const auto nth = quality.begin() + static_cast<std::ptrdiff_t>(quality.size() / 100);
-    std::nth_element(quality.begin(), nth, quality.end());
-    return std::clamp(0.75 * *nth, least_quality, best_quality);
-}
-
-// Faces that each face is to become.
-std::vector<double> shares(const mesh::QuadMesh &mesh, const std::optional<Density> &density,
-                           std::int64_t wanted) {
-    const auto faces = static_cast<std::size_t>(mesh.n_faces());
-    std::vector<int> all(faces);
-    std::iota(all.begin(), all.end(), 0);
-    std::vector<double> share = density ? density->weights(mesh, all) : std::vector<double>(faces, 1);
-    const double sum = std::accumulate(share.begin(), share.end(), 0.0);
-    for (double &s : share)
-        s *= static_cast<double>(wanted) / sum;
-    return share;
-}
-
-class Whole {
-public:
-    Whole(mesh::QuadMesh &mesh, Ground &ground, std::int64_t wanted, const std::optional<Crosses> &crosses,
-          const Settings &settings, const Progress &progress)
-        : mesh_(mesh), ground_(ground), settings_(hasty(settings)), progress_(progress), crosses_(crosses),
-          density_(Density::of(mesh, ground, wanted)),
-          sweep_(mesh, ground, shares(mesh, density_, wanted), density_, settings_),
-          quality_(std::max(working_quality(mesh, ground), settings.min_quality)),
-          near_(ground.coverage ? ground.coverage->tolerance() : 0), singular_before_(sweep_.singular()) {}
-
-    // Never more singular vertices than there are now.
-    void keep_singular() { sweep_.limit(sweep_.singular()); }
-
-    void run(bool exact) {
-        spread();
-        collapse();
-        reduce(0);
-        if (ground_.surface) {
-            mend();
-            persist();
-        }
-        if (exact && count() && !ground_.surface) {
-            reduce(60);
-            count();
-        }
-        for (int k = 0; exact && ground_.surface && k < more && rose() && sweep_.missing() == 0; ++k) {
-            reduce(60);
-            persist();
-            count();
-        }
-        finish();
-    }
-
-private:
-    // Faces go to where a size field wants them, before singularities are saved.
-    void spread() {
-        if (!density_ || !density_->wished())
-            return;
-        for (const int size : {60, 100, 60, 100, 160}) {
-            Pass pass;
-            pass.purpose = Purpose::spread;
-            pass.size = size;
-            pass.slack = 0.2;
-            pass.shape = wish(1);
-            pass.most_added = 8;
-            if (run(pass, "spread", 0, 0) > 0)
-                relax(mesh_, ground_, density_, settings_);
-        }
-    }
-
-    // Windows grow; what a filling strains spreads far beyond its window, so all is relaxed between.
-    void reduce(int smallest) {
-        const double part = 0.8 / static_cast<double>(sizes.size());
-        int idle = 0; // sizes in a row that saved little
-        for (std::size_t i = 0; i < sizes.size(); ++i) {
-            if (sizes[i] < smallest || sizes[i] > largest())
-                continue;
-            if (is_far())
-                approach(sizes[i], part * static_cast<double>(i));
-            Pass pass;
-            pass.size = sizes[i];
-            pass.slack = sizes[i] <= large ? slack : slack * large / (2 * sizes[i]);
-            pass.shape = wish(1);
-            const int before = sweep_.singular();
-            for (int k = 0; k < repeats; ++k)
-                if (const int now = sweep_.singular();
-                    run(pass, "reduce", part * static_cast<double>(i), part) == 0 ||
-                    now - sweep_.singular() < worthwhile * now)
-                    break;
-            if (sweep_.singular() < before)
-                relax(mesh_, ground_, density_, settings_);
-            idle = before - sweep_.singular() < worthwhile * before ? idle + 1 : 0;
-            if (sizes[i] >= large_enough() && idle > 1)
-                break;
-            if (ground_.surface && sweep_.refilled() == 0 && sweep_.tried() >= conclusive)
-                break;
-        }
-    }
-
-    // Far too many faces of a surface go where they are, and the surface stays covered; singularities are
-    // left to the windows that come then, so a mesh that has few of them is spared that.
-    void collapse() {
-        if (!ground_.surface || sweep_.singular() < many * mesh_.n_faces())
-            return;
-        for (int k = 0; k < collapses && crowded(); ++k) {
-            Pass pass;
-            pass.purpose = Purpose::collapse;
-            pass.size = collapsed_window;
-            pass.slack = far;
-            pass.shape = wish(collapsed_shape);
-            if (run(pass, "collapse", 0, 0) == 0)
-                break;
-            relax(mesh_, ground_, density_, settings_);
-        }
-    }
-
-    // Far from the wanted count every part of the mesh takes its share of the way, and more may be lost
-    // where it hardly goes on.
-    void approach(int size, double start) {
-        for (const Level &level : on_way) {
-            const auto before = static_cast<double>(std::abs(sweep_.missing()));
-            allow(level);
-            Pass pass;
-            pass.purpose = Purpose::spread;
-            pass.size = std::clamp(size, 30, large_on_way);
-            pass.slack = far;
-            pass.shape = wish(level.shape);
-            pass.most_added = level.added;
-            if (run(pass, "approach", start, 0) > 0)
-                relax(mesh_, ground_, density_, settings_);
-            const auto now = static_cast<double>(std::abs(sweep_.missing()));
-            if (now < good_way * before || !is_far())
-                break;
-        }
-        allow(levels[0]);
-    }
-
-    // Windows just large enough to take up what is missing come first; singularities are added, and
-    // quality is lost, only where it cannot be had without.
-    // True if it changed anything.
-    bool count() {
-        const auto missing = sweep_.missing();
-        for (const Level &level : levels) {
-            if (sweep_.missing() == 0)
-                break;
-            allow(level);
-            std::vector<int> order = {40, 60, 100, 160, 250, 400, 600};
-            const bool many = ground_.surface && std::abs(sweep_.missing()) > order[most_sizes - 1];
-            const auto rank = [&](int size) {
-                return many || size >= 4 * std::abs(sweep_.missing()) ? size : 2000 - size;
-            };
-            std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
-            std::erase_if(order, [&](int size) { return size > largest(); });
-            order.resize(std::min(order.size(), most_sizes));
-            for (const int size : order) {
-                Pass pass;
-                pass.size = size;
-                pass.shape = wish(level.shape);
-                pass.purpose = Purpose::count;
-                pass.most_added = level.added;
-                for (int done = 1; done > 0 && sweep_.missing() != 0;)
-                    done = run(pass, "count", 0.8, 0.15);
-            }
-        }
-        allow(levels[0]);
-        return sweep_.missing() != missing;
-    }
-
-    // What is left of bad shapes, most often of the input: around them any filling that is better, the
-    // more so the worse they are.
-    void mend() {
-        for (const Level &level : mending) {
-            allow(level);
-            for (const int size : {16, 30, 60}) {
-                Pass pass;
-                pass.purpose = Purpose::mend;
-                pass.size = size;
-                pass.most_added = level.added;
-                pass.shape = {level.shape * least_quality, 0, most_misshapen};
-                for (int k = 0; k < (level.added > 0 ? tries : 1); ++k)
-                    run(pass, "mend", 0, 0);
-            }
-        }
-        allow(levels[0]);
-    }
-
-    // Between windows that find none singularities wander, as no more of them, so that others come within
-    // reach.
-    void persist() {
-        Persistence persistence(sweep_.singular(), singular_before_, mesh_.n_faces(), largest());
-        while (!regular() && persistence.worthwhile(sweep_.singular())) {
-            Persistence::Search &search = persistence.best();
-            const int before = sweep_.singular();
-            const auto effort = sweep_.effort();
-            for (const bool wander : {true, false}) {
-                Pass pass;
-                pass.purpose = wander ? Purpose::wander : Purpose::fewer_singularities;
-                pass.size = wander ? search.wander : search.size;
-                pass.slack = std::min(slack, drift / static_cast<double>(sweep_.wanted()));
-                pass.shape = wish(1);
-                run(pass, "reduce", 0.8, 0);
-            }
-            auto spent = sweep_.effort() - effort;
-            if (spent == 0)
-                break; // no window fits around those that are left
-            if (sweep_.singular() < before) {
-                relax(mesh_, ground_, density_, settings_);
-                spent += mesh_.n_faces(); // about what that takes
-            }
-            persistence.learn(search, before - sweep_.singular(), static_cast<double>(spent));
-        }
-    }
-
-    // There are more singular vertices than at first.
-    bool rose() const { return sweep_.singular() > singular_before_; }
-
-    void finish() {
-        tell(0.9, "relax");
-        relax(mesh_, ground_, density_, settings_);
-        if (ground_.surface)
-            fit(mesh_, ground_, density_, settings_);
-        if (crosses_) // who asks for the field gets it, at some distance to the surface
-            align(mesh_, ground_, *crosses_, settings_);
-        mend();
-        tell(1, "mend");
-    }
-
-    // Windows of this size or more that save little twice end the search. On a small surface larger ones
-    // seldom fit a chart.
-    int large_enough() const {
-        return ground_.surface ? std::clamp(mesh_.n_faces() / 40, large_on_surface, large) : large;
-    }
-
-    int largest() const { return std::max(large, mesh_.n_faces() / most_of_mesh); }
-
-    // No mesh of this genus has fewer.
-    bool regular() const {
-        int sum = 0;
-        for (int v = 0; v < mesh_.n_vertices(); ++v)
-            if (!mesh_.isolated(v) && !mesh_.on_boundary(v))
-                sum += 4 - mesh_.valence(v);
-        return sweep_.singular() <= std::abs(sum);
-    }
-
-    bool is_far() const {
-        return static_cast<double>(std::abs(sweep_.missing())) > far * static_cast<double>(sweep_.wanted());
-    }
-
-    bool crowded() const {
-        return static_cast<double>(mesh_.n_faces()) > collapse_to * static_cast<double>(sweep_.wanted());
-    }
-
-    void allow(const Level &level) {
-        if (ground_.coverage)
-            ground_.coverage->set_tolerance(level.tolerance * near_);
-    }
-
-    Shapeliness wish(double part) const { return {part * quality_, part * least_shape, poor_price}; }
-
-    void tell(double fraction, const char *stage) { progress_(fraction, stage); }
-
-    int run(const Pass &pass, const char *stage, double start, double part) {
-        return sweep_.run(pass, [&](double fraction) { tell(start + part * fraction, stage); });
-    }
-
-    mesh::QuadMesh &mesh_;
-    Ground &ground_;
-    const Settings settings_;
-    const Progress &progress_;
-    const std::optional<Crosses> &crosses_;
-    const std::optional<Density> density_;
-    Sweep sweep_;
-    const double quality_, near_; // near_: usual tolerance of the distance to the surface
-    const int singular_before_;
-};
+bool rose(const Outcome &outcome) { return outcome.singular_after > outcome.singular_before; }
 
 Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings,
                const Progress &progress) {
@@ -350,13 +36,8 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
     outcome.faces_wanted = wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces()));
     if (mesh.n_faces() == 0)
         return outcome;
-    const auto describe = [&](const Ground &ground, auto &valences, std::int64_t &singular, double &quality) {
-        count(mesh, valences, singular);
-        const std::vector<double> each = ground.scaled_jacobians(mesh);
-        quality = *std::min_element(each.begin(), each.end());
-    };
     straighten(mesh);
-    describe(ground_of(mesh), outcome.valences_before, outcome.singular_before, outcome.quality_before);
+    describe(mesh, ground_of(mesh), outcome.valences_before, outcome.singular_before, outcome.quality_before);
     // Stages come more than once; what was told does not fall.
     const Progress tell = [&progress, told = 0.0](double fraction, const char *stage) mutable {
         told = std::max(told, fraction);
@@ -366,36 +47,47 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
     if (settings.align && mesh.surface)
         crosses.emplace(mesh);
     begin_with_chords(mesh, outcome.faces_wanted, settings, tell);
-    Ground ground = ground_of(mesh);
-    std::optional<mesh::QuadMesh> begun;
-    if (ground.surface && mesh.field(Entity::vertex, "size") == nullptr)
-        begun = mesh;
-    bool careful = false;
-    const auto work = [&] {
+
+    const auto attempt = [&](mesh::QuadMesh &tried, std::optional<double> room) {
+        Ground ground = ground_of(tried);
         if (ground.surface)
-            ground.coverage = coverage_of(mesh, *ground.surface, outcome.faces_wanted, settings.tolerance);
-        Whole whole(mesh, ground, outcome.faces_wanted, crosses, settings, tell);
-        if (careful)
-            whole.keep_singular();
-        whole.run(exact);
-        outcome.faces_after = mesh.n_faces();
-        outcome.valences_after.clear();
-        outcome.singular_after = 0;
-        describe(ground, outcome.valences_after, outcome.singular_after, outcome.quality_after);
+            ground.coverage = coverage_of(tried, *ground.surface, outcome.faces_wanted, settings.tolerance);
+        work_through(tried, ground, {outcome.faces_wanted, exact, room}, crosses, settings, tell);
+        Outcome result = outcome;
+        result.faces_after = tried.n_faces();
+        describe(tried, ground, result.valences_after, result.singular_after, result.quality_after);
+        return result;
     };
-    work();
-    const bool missed = exact && outcome.faces_after != outcome.faces_wanted;
-    if (begun && missed && outcome.singular_after > outcome.singular_before) {
-        careful = true; // more singular vertices did not buy the number of faces
-        mesh = std::move(*begun);
-        ground = ground_of(mesh);
-        work();
+    const auto missing = [&](const Outcome &of) {
+        return exact ? std::abs(of.faces_after - of.faces_wanted) : 0;
+    };
+    // Sizes that are asked for need singular vertices, and in a plane the boundary does.
+    std::optional<mesh::QuadMesh> begun;
+    if (mesh.surface && mesh.dim() == 3 && mesh.field(Entity::vertex, "size") == nullptr)
+        begun = mesh;
+    outcome = attempt(mesh, std::nullopt);
+    std::string limit;
+    for (const double room : {some_room, no_room}) {
+        if (!begun || !rose(outcome) || (room == no_room && missing(outcome) == 0))
+            break;
+        mesh::QuadMesh tried = *begun;
+        const Outcome result = attempt(tried, room);
+        // The number of faces comes first; where it cannot be had, no singular vertices are made for it.
+        const auto rank = [&](const Outcome &of) {
+            return std::tuple(missing(of) != 0, rose(of), missing(of), of.singular_after);
+        };
+        if (rank(result) < rank(outcome)) {
+            outcome = result;
+            mesh = std::move(tried);
+            limit = " that would not leave more singular vertices than there were";
+            if (mesh.curves && !settings.edit_boundary)
+                limit += ", features having all their vertices but where they are straight";
+        }
     }
-    if (exact && outcome.faces_after != outcome.faces_wanted)
+    if (missing(outcome) != 0)
         outcome.text = "the mesh has " + std::to_string(outcome.faces_after) + " faces where " +
                        std::to_string(outcome.faces_wanted) +
-                       " were wanted; no valid filling with more or fewer was found" +
-                       (careful ? " that would not leave more singular vertices than there were" : "");
+                       " were wanted; no valid filling with more or fewer was found" + limit;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

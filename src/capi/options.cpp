@@ -78,6 +78,7 @@ adapt::Settings settings_of(const Options &options, int threads) {
     settings.node_limit = options.node_limit;
     settings.min_quality = options.min_quality;
     settings.tolerance = options.tolerance;
+    settings.edit_boundary = options.edit_boundary != 0;
     settings.align = options.align != 0;
     settings.chart = static_cast<adapt::ChartKind>(options.chart);
     settings.threads = threads;

@@ -99,6 +99,42 @@ TEST(Begin, CurvedFeaturesStayVertexByVertex) {
     }
 }
 
+TEST(Begin, FeaturesAndBoundaryLoseVerticesIfTheyMay) {
+    mesh::QuadMesh mesh = mesh::grid(40, 12, [](double s, double t) { // three quarters of a tube
+        const double angle = 1.5 * std::numbers::pi * s;
+        return Eigen::Vector3d(std::cos(angle), std::sin(angle), 1.5 * t);
+    });
+    mesh = on_itself(std::move(mesh));
+    const auto amid = [&](int v) { return std::abs(mesh.point(v)[2] - 0.75) < 1e-9; };
+    for (int e = 0; e < mesh.n_edges(); ++e) {
+        const auto [v, w] = mesh.edge_vertices(e);
+        if (amid(v) && amid(w))
+            mesh.edge_flags[at(e)] |= mesh::feature;
+    }
+    const mesh::QuadMesh before = mesh;
+    Settings settings;
+    for (const bool edit : {false, true}) {
+        mesh = before;
+        settings.edit_boundary = edit;
+        begin_with_chords(mesh, mesh.n_faces() / 2, settings, silent);
+        EXPECT_TRUE(mesh.singularities().empty());
+        EXPECT_NO_THROW(mesh.check());
+        EXPECT_EQ(count(mesh.edge_flags) < 40, edit);
+        EXPECT_EQ(mesh.n_faces() < 300, edit);
+        int kept = 0;
+        for (int v = 0; v < mesh.n_vertices(); ++v) {
+            if (!mesh.on_boundary(v) && !amid(v))
+                continue;
+            bool there = false; // those that stay are where they were
+            for (int w = 0; w < before.n_vertices(); ++w)
+                there |= before.point(w) == mesh.point(v);
+            EXPECT_TRUE(there);
+            ++kept;
+        }
+        EXPECT_EQ(kept == 3 * 41 + 20, !edit);
+    }
+}
+
 TEST(Begin, StopsWhereCoarseningWouldUncoverTheSurface) {
     mesh::QuadMesh mesh = torus();
     const auto before = mesh.checksum();

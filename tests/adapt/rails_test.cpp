@@ -243,6 +243,8 @@ TEST(Rails, QuadsAtFeaturesGoByTheirOwnSide) {
     EXPECT_LT(worst(), 0.8);
     forget_normals(box.mesh, vertices, box.mesh.faces(), drape);
     EXPECT_NEAR(worst(), 1, 1e-12);
+    for (const double quality : ground.scaled_jacobians(box.mesh)) // against the quads around, too
+        EXPECT_GT(quality, 0.699);
     for (const int v : vertices)
         EXPECT_EQ(drape.normals[at(v)].isZero(), box.sides(v) > 1);
     // The last face alone, by numbers of its own.

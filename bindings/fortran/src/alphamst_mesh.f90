@@ -102,8 +102,8 @@ module alphamst_mesh
         procedure :: flags, get_flags
         !> detect_features(angle [, found]): edges whose two faces have normals more than angle degrees
         !> apart, 0 to 180, become AMST_FLAG_FEATURE, and vertices where curves of such edges, these and
-        !> those of before, end, cross or turn by more than 60 degrees AMST_FLAG_CORNER. No flag is taken
-        !> away; found, kind int64, is the number of those edges. Errors: NOT_FINITE, RANGE.
+        !> those of before, end, cross or turn by more than 60 degrees, but not right back, AMST_FLAG_CORNER.
+        !> No flag is taken away; found, kind int64, is the number of those edges. Errors: NOT_FINITE, RANGE.
         procedure :: detect_features
 
         !> set_field(entity, name, values(:), carry), or values(components, :): named numbers of each entity;

@@ -309,7 +309,8 @@ end
 
 Flag the edges whose two faces have normals more than `angle` degrees apart, 0 to 180, as `feature`,
 and as `corner` the vertices where curves of feature edges, these and those of before, end, cross or
-turn by more than 60 degrees. No flag is taken away. Gives the number of edges at more than `angle`.
+turn by more than 60 degrees, but not right back. No flag is taken away. Gives the number of edges at more
+than `angle`.
 Throws `AlphaMSTError`: NOT_FINITE, RANGE.
 """
 detect_features!(mesh::Mesh, angle::Real) =

@@ -25,7 +25,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `candidates` | 16 | fillings to try in a patch before it is left, 1 to 1000 |
 | `node_limit` | 1000 | effort of one exact search, in quads laid, 0 to 10^9 |
 | `quadrangulate` | 0 | 0: triangles of a new mesh are paired, 1: every face is split |
-| `edit_boundary` | 0 | 0 or 1: chords that end on the boundary may be changed |
+| `edit_boundary` | 0 | 0 or 1: chords that end on the boundary or cross features may go |
 | `strategy` | 0 | 0: a whole mesh is adapted by windows, 1: by chords alone |
 | `align` | 0 | 0 or 1: edges of a whole curved mesh turn to its cross field |
 | `chart` | 0 | map of curved patches, 0: a plane or a circle, 1: mean value, 2: conformal, 3: low stretch |

@@ -165,8 +165,8 @@ impl Mesh {
 
     /// Flags the edges whose two faces have normals more than `angle` degrees apart, 0 to 180, as
     /// [`Flags::FEATURE`], and as [`Flags::CORNER`] the vertices where curves of such edges, these and
-    /// those of before, end, cross or turn by more than 60 degrees. No flag is taken away; the revision
-    /// stays. Tells the number of edges at more than `angle`.
+    /// those of before, end, cross or turn by more than 60 degrees, but not right back. No flag is taken
+    /// away; the revision stays. Tells the number of edges at more than `angle`.
     ///
     /// Errors: `NotFinite`, `Range` (angle), `State` (in a callback).
     ///
