@@ -22,7 +22,7 @@ using Axes = Eigen::Matrix<double, 3, 2>;
 
 // Of mean squared distances, both ways together, over the area of a quad, against shape; and the part of that
 // in the first round, so that it spoils no quads: they would stay behind.
-constexpr double weight = 800, first_part = 0.1;
+constexpr double weight = 400, first_part = 0.1;
 constexpr double size_weight = 0.3; // against shape
 constexpr double careful = 0.32;    // scaled Jacobian: worse ones are not made by moving
 constexpr double stiff_below = 0.8; // scaled Jacobian: a quad below counts more, with the third power
