@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "adapt/ground.h"
@@ -17,6 +18,8 @@ public:
     explicit Crosses(const mesh::QuadMesh &mesh);
 
     Eigen::Vector3d at(const Eigen::Vector3d &point) const;
+    // Mean angle between the sides of quads and the nearest of the four directions there, 0 to 45 degrees.
+    double straying(std::span<const Quad> quads) const;
 
 private:
     std::unique_ptr<const mesh::QuadMesh> mesh_; // on the heap: the tree of faces keeps its address

@@ -14,11 +14,14 @@
 
 namespace alphamst::adapt {
 
+class Crosses;
+
 struct Ground {
     std::optional<geometry::Plane> plane;
     // Where there is no plane: the surface, and the triangle of it under each vertex of the mesh.
     std::shared_ptr<const surface::Surface> surface;
     std::vector<int> anchors;
+    const Crosses *crosses = nullptr; // to which edges shall turn, if there are any
     std::optional<Coverage> coverage; // where the whole of it is to stay covered
     // [triangle of the surface] wanted faces per unit of area, but for a factor; empty: even.
     std::vector<double> density;

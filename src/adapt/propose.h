@@ -15,6 +15,7 @@ struct Goal {
     bool any_count = false;    // fewest singularities first, faces only as near as possible
     bool keep_quality = false; // prefer fillings whose smallest scaled Jacobian is not below the old one
     bool forbid_old = false;   // the old filling is no answer
+    bool turn = false;         // towards the cross field of the ground
     bool collapse = false;     // quads of the old filling collapsed, nothing else
     std::int64_t fewest = 0, most = 0; // any_count: faces in this range; 0: from half to twice as many
     int most_added = 1 << 20;          // singularities, those of the mesh boundary included

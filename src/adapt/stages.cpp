@@ -89,7 +89,9 @@ public:
           density_(Density::of(mesh, ground, wanted)),
           sweep_(mesh, ground, shares(mesh, density_, wanted), density_, settings_),
           quality_(std::max(working_quality(mesh, ground), settings.min_quality)),
-          near_(ground.coverage ? ground.coverage->tolerance() : 0), singular_before_(sweep_.singular()) {}
+          near_(ground.coverage ? ground.coverage->tolerance() : 0), singular_before_(sweep_.singular()) {
+        ground_.crosses = crosses_ ? &*crosses_ : nullptr;
+    }
 
     // In the end no more singular vertices than there are now; meanwhile so many times as many.
     void limit(double room) {
@@ -105,6 +107,8 @@ public:
             mend();
             persist();
         }
+        if (crosses_)
+            turn();
         if (exact && count() && !ground_.surface) {
             reduce(60);
             count();
@@ -278,6 +282,19 @@ private:
                 spent += mesh_.n_faces(); // about what that takes
             }
             persistence.learn(search, before - sweep_.singular(), static_cast<double>(spent));
+        }
+    }
+
+    // Where edges stray from the cross field, singularities move so that they follow it.
+    void turn() {
+        for (const int size : {60, 100, 160, 60, 100, 160}) {
+            Pass pass;
+            pass.purpose = Purpose::turn;
+            pass.size = size;
+            pass.slack = std::min(slack, drift / static_cast<double>(sweep_.wanted()));
+            pass.shape = wish(1);
+            if (run(pass, "turn", 0.8, 0) > 0)
+                relax(mesh_, ground_, density_, settings_);
         }
     }
 

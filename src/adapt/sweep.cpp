@@ -138,7 +138,8 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
         goal.faces = goal.fewest = goal.most = fewest;
         return goal;
     }
-    if (pass.purpose != Purpose::fewer_singularities && pass.purpose != Purpose::wander) {
+    if (pass.purpose != Purpose::fewer_singularities && pass.purpose != Purpose::wander &&
+        pass.purpose != Purpose::turn) {
         const bool spread = pass.purpose == Purpose::spread;
         const std::int64_t lacking = spread ? std::llround(share) - now : missing();
         if (spread && static_cast<double>(std::abs(lacking)) < even_enough * static_cast<double>(now))
@@ -150,9 +151,10 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
         goal.most = aim > 0 ? now + aim : now + std::min<std::int64_t>(-1, least);
         return goal;
     }
-    if (pass.purpose == Purpose::wander) {
+    if (pass.purpose == Purpose::wander || pass.purpose == Purpose::turn) {
         goal.most_added = 0;
         goal.forbid_old = true;
+        goal.turn = pass.purpose == Purpose::turn;
     }
     // What a commit may do to the total; see welcome.
     const auto slack = std::max<std::int64_t>(8, std::llround(pass.slack * static_cast<double>(wanted_)));
@@ -370,9 +372,10 @@ std::vector<int> Sweep::misshapen(double scaled_jacobian) const {
 // In random order.
 std::vector<int> Sweep::choose_seeds(const Pass &pass) {
     std::vector<int> seeds;
-    if (pass.purpose != Purpose::collapse)
+    if (pass.purpose != Purpose::collapse && pass.purpose != Purpose::turn)
         seeds = pass.purpose == Purpose::mend ? misshapen(pass.shape.scaled_jacobian) : irregular();
-    const bool everywhere = pass.purpose == Purpose::spread || pass.purpose == Purpose::collapse;
+    const bool everywhere =
+        pass.purpose == Purpose::spread || pass.purpose == Purpose::collapse || pass.purpose == Purpose::turn;
     const int elsewhere = pass.purpose == Purpose::count ? most_elsewhere
                           : everywhere                   ? 2 * mesh_.n_faces() / std::max(1, pass.size)
                                                          : 0;

@@ -18,6 +18,7 @@ namespace alphamst::adapt {
 enum class Purpose {
     fewer_singularities,
     wander,   // no more singularities, but elsewhere
+    turn,     // no more singularities, and edges along the cross field
     spread,   // the faces go where they are wanted
     collapse, // faces go where there are far too many, whatever becomes of the singularities
     count,    // there come to be as many faces as are wanted

@@ -4,6 +4,8 @@
 #include <array>
 #include <unordered_map>
 
+#include "adapt/align.h"
+#include "adapt/locate.h"
 #include "adapt/obstacle.h"
 #include "adapt/shaping.h"
 #include "adapt/site.h"
@@ -32,6 +34,9 @@ constexpr double hopeless_poor = 20, hopeless_shape = 0.4;
 // Part of the tolerance by which the surface is missed before vertices move, where it hardly ever is not
 // missed afterwards (4 of 4,255 tries).
 constexpr double hopeless_distance = 1.25;
+// Degrees: what a window that turns gains at least. Fillings that are compared for that.
+constexpr double least_turn = 2, right_angle = 90;
+constexpr int most_compared = 4;
 
 // The faces around the window, with a filling in their middle.
 class Rim {
@@ -157,6 +162,13 @@ private:
     Shapeliness shape_;
 };
 
+std::vector<Quad> quads_of(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
+    std::vector<Quad> quads;
+    for (const int f : faces)
+        quads.push_back(quad_of(mesh, f));
+    return quads;
+}
+
 // Whether filling and rim stay near the surface, and the surface near them.
 bool stays_near(const Site &site, const Rim &rim, const fill::Filling &filling, const Laid &laid,
                 const Coverage &coverage, bool rim_moved, Trial &trial) {
@@ -216,6 +228,10 @@ std::optional<Trial> judge(const Site &site, const Rim &rim, const Shape &shape,
     }
     if (coverage && !stays_near(site, rim, filling, laid, *coverage, !trial.moved.empty(), trial))
         return std::nullopt;
+    if (const Crosses *crosses = site.ground().crosses) {
+        const std::vector<Quad> quads = rim.quads(filling, laid);
+        trial.straying = crosses->straying(std::span(quads).first(filling.quads.size()));
+    }
     cut(laid, filling);
     trial.proposal.window = site.window;
     trial.proposal.points = site.lift(laid);
@@ -239,14 +255,21 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
         const double gain = goal.forbid_old ? least_gain : 0;
         Shapeliness least = {std::min(wanted.scaled_jacobian, before.scaled_jacobian + gain),
                              std::min(wanted.shape, before.shape), 0, before.inverted};
+        const Crosses *crosses = ground.crosses;
+        double straying = crosses != nullptr && goal.turn
+                              ? crosses->straying(quads_of(mesh, place.faces)) - least_turn
+                              : right_angle;
+        std::optional<Trial> best;
         Obstacles obstacles;
-        int tried = 0;
+        int tried = 0, among = 0;
         for (const Site::Source &source : site.sources())
             for (Site::Group group = source(); !group.empty(); group = source())
                 for (const Site::Offer &offer : group) {
                     const Shape shape = offer.build();
                     const auto faces = static_cast<std::int64_t>(shape.filling.quads.size());
                     const int change = site.singular_all(shape.filling) - site.old_singular_all;
+                    if (best && change > best->singular_change)
+                        return best;
                     if (change > goal.most_added || (!goal.any_count && faces != goal.faces) ||
                         !site.fits(shape.filling) || obstacles.met_by(shape.filling))
                         continue;
@@ -255,11 +278,20 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
                     least.poor = before.poor + gain * wanted.poor;
                     if (auto trial = judge(site, rim, shape, least, settings, ground.coverage, obstacles)) {
                         trial->singular_change = change;
-                        return trial;
+                        if (crosses == nullptr)
+                            return trial;
+                        if (trial->straying < straying) {
+                            straying = trial->straying;
+                            best = std::move(trial);
+                        }
+                        if (++among >= most_compared)
+                            return best;
+                        continue;
                     }
                     if (++tried >= settings.candidates)
-                        return std::nullopt;
+                        return best;
                 }
+        return best;
     } catch (const Refusal &) {
     }
     return std::nullopt;

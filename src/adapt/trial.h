@@ -30,12 +30,13 @@ struct Trial {
     // The samples of the window, or of window and rim if that moves: their quads are those of the
     // filling, then of the rim.
     std::vector<Coverage::Owner> owners;
+    double straying = 0;     // from the cross field of the ground, if there is one
     int singular_change = 0; // those of the mesh boundary included
 };
 
 // The first filling, best numbers first, that meets the goal and is, together with the rim, as
-// shapely as wanted, or as it was before if that is less. Nothing if there is none. The result
-// depends on the arguments alone.
+// shapely as wanted, or as it was before if that is less; of some with the same numbers the one along the
+// cross field, if the ground has one. Nothing if there is none. The result depends on the arguments alone.
 std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, const Goal &goal,
                              const Shapeliness &wanted, const Settings &settings, const Ground &ground);
 

@@ -4,9 +4,11 @@
 #include <memory>
 #include <numeric>
 
+#include "adapt/trial.h"
 #include "eared.h"
 #include "mesh/cross_field.h"
 #include "mesh/reference.h"
+#include "patch/patches.h"
 #include "run.h"
 
 namespace alphamst::adapt::samples {
@@ -36,8 +38,47 @@ TEST(Align, WholeMeshesFollowTheFieldOfTheirCurvature) {
     const mesh::QuadMesh before = eared(4);
     const Crosses crosses(before);
     const mesh::QuadMesh plain = adapted(before, false), aligned = adapted(before, true);
-    EXPECT_LT(angle(aligned, crosses), 0.9 * angle(plain, crosses));
+    EXPECT_LT(angle(aligned, crosses), 0.7 * angle(plain, crosses));
     EXPECT_EQ(plain.n_faces(), aligned.n_faces());
+}
+
+TEST(Align, StrayingIsTheMeanAngle) {
+    const mesh::QuadMesh mesh = eared(3);
+    const Crosses crosses(mesh);
+    std::vector<Quad> quads;
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        quads.push_back(quad_of(mesh, f));
+    EXPECT_NEAR(crosses.straying(quads), angle(mesh, crosses), 1e-9);
+    EXPECT_EQ(crosses.straying({}), 0);
+}
+
+// One window after the other: whatever comes back has no more singular vertices and follows the field better.
+TEST(Align, WindowsTurnTowardsTheField) {
+    mesh::QuadMesh mesh = adapted(eared(3), false);
+    const Crosses crosses(mesh);
+    Ground ground = ground_of(mesh);
+    ground.crosses = &crosses;
+    Goal goal;
+    goal.any_count = goal.forbid_old = goal.turn = true;
+    goal.most_added = 0;
+    Settings settings;
+    settings.patient = false;
+    int turned = 0;
+    for (int v = 0; v < mesh.n_vertices(); v += 3) {
+        Place place;
+        place.faces = patch::rings(mesh, v, 3, {});
+        goal.faces = static_cast<std::int64_t>(place.faces.size());
+        std::vector<Quad> before;
+        for (const int f : place.faces)
+            before.push_back(quad_of(mesh, f));
+        const auto trial = attempt(mesh, place, goal, {0.1, 0.1, 3, 0}, settings, ground);
+        if (!trial)
+            continue;
+        ++turned;
+        EXPECT_LE(trial->singular_change, 0);
+        EXPECT_LT(trial->straying, crosses.straying(before) - 2);
+    }
+    EXPECT_GT(turned, 3);
 }
 
 TEST(Align, OrTheFieldThatTheCallerSets) {
@@ -58,11 +99,11 @@ TEST(Align, OrTheFieldThatTheCallerSets) {
 }
 
 // Farthest that a vertex of the mesh before is from the one after, in wanted edges.
-double farthest(double alpha, double tolerance) {
+double farthest(double alpha, double tolerance, std::uint64_t seed) {
     const mesh::QuadMesh before = eared(3);
     mesh::QuadMesh mesh = before;
     Settings settings;
-    settings.seed = 2;
+    settings.seed = seed;
     settings.tolerance = tolerance;
     const Outcome outcome = adapt_whole(mesh, alpha, settings, silent);
     EXPECT_EQ(outcome.faces_after, outcome.faces_wanted);
@@ -76,9 +117,13 @@ double farthest(double alpha, double tolerance) {
 }
 
 TEST(Tolerance, KeepsTheSurfaceNearTheMesh) {
-    EXPECT_LE(farthest(0.5, 0.2), 0.2);
-    EXPECT_LE(farthest(0.2, 0.5), 0.5);
-    EXPECT_GT(farthest(0.2, 20), 1); // without it an ear is cut off
+    double without = 0;
+    for (const std::uint64_t seed : {0, 1, 2, 3, 4}) {
+        EXPECT_LE(farthest(1, 0.2, seed), 0.2) << seed; // no faces are missing for which it would be eased
+        EXPECT_LE(farthest(0.2, 0.5, seed), 0.5) << seed;
+        without = std::max(without, farthest(0.2, 20, seed));
+    }
+    EXPECT_GT(without, 0.55);
 }
 
 } // namespace
