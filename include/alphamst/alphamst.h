@@ -602,13 +602,15 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * AMST_OPT_EDIT_BOUNDARY those chords take vertices from features and boundary that turn
  * there by less than 30 degrees, too; for coarse meshes of machine parts that may be
  * needed. Where the number of faces of a curved mesh cannot be had, no more singular
- * vertices are made than there were. With AMST_OPT_ALIGN its edges turn at last towards the face field
- * "cross" or, without one, towards what amst_mesh_compute_cross_field would give. AMST_OPT_CHART is the map
- * that lays a curved patch, given or window, in the plane to be filled: 0 projects it where it turns little,
- * else has each vertex on a disk amid its neighbours (Tutte), 1 has it there by mean value coordinates, 2
- * keeps angles and lets the boundary go where it wants, 3 stretches less on the disk. A map that folds is not
- * used: 2 and 3 give way to 1, and that to Tutte's, which never does. Errors: ARGUMENT (alpha <= 0),
- * NOT_FINITE. */
+ * vertices are made than there were. With AMST_OPT_ALIGN windows take, of fillings with
+ * the same numbers, those along the face field "cross" or, without one, along what
+ * amst_mesh_compute_cross_field would give, and at last edges turn towards it.
+ * AMST_OPT_CHART is the map that lays a curved patch, given or window, in the plane to be
+ * filled: 0 projects it where it turns little, else has each vertex on a disk amid its
+ * neighbours (Tutte), 1 has it there by mean value coordinates, 2 keeps angles and lets
+ * the boundary go where it wants, 3 stretches less on the disk. A map that folds is not
+ * used: 2 and 3 give way to 1, and that to Tutte's, which never does.
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);
 /* Replace each patch by its minimum singularity template, boundary kept. patches

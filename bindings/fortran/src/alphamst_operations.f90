@@ -20,10 +20,12 @@ module alphamst_operations
 contains
 
     !> Replace each patch by its alpha template. alpha > 0 is for the patches that have none of their
-    !> own: the wanted number of faces over the present one. Without patches the whole mesh, which must
-    !> lie in a plane, with windows that the library chooses: round(alpha * faces) faces, as few singular
-    !> vertices as it can, the boundary kept; a vertex field "size" says where the faces go.
-    !> Errors: ARGUMENT (alpha), NOT_FINITE, UNSUPPORTED (whole mesh that is no plane).
+    !> own: the wanted number of faces over the present one. Without patches the whole mesh, plane or
+    !> curved, with windows that the library chooses: round(alpha * faces) faces, as few singular vertices
+    !> as it can, boundary and features kept; a vertex field "size" says where the faces go. A curved mesh
+    !> keeps to its surface; features of one lose and get vertices only where they are straight, with
+    !> AMST_OPT_EDIT_BOUNDARY also where they turn by less than 30 degrees.
+    !> Errors: ARGUMENT (alpha), NOT_FINITE.
     subroutine alphamst_adapt(mesh, patches, alpha, options, report, stat, errmsg)
         type(amst_mesh), intent(inout) :: mesh
         type(amst_patches), intent(inout), optional :: patches
@@ -44,7 +46,7 @@ contains
     end subroutine alphamst_adapt
 
     !> Replace each patch by its minimum singularity template, boundary kept. Without patches the whole
-    !> mesh; its number of faces stays within a few percent. Errors: UNSUPPORTED as alphamst_adapt.
+    !> mesh; its number of faces stays within a few percent.
     subroutine alphamst_reduce_singularities(mesh, patches, options, report, stat, errmsg)
         type(amst_mesh), intent(inout) :: mesh
         type(amst_patches), intent(inout), optional :: patches

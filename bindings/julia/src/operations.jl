@@ -19,12 +19,13 @@ Fill each patch anew with round(alpha * faces) faces and few singularities; give
 their own: below 1 coarser, above 1 finer, 1 only better. Patches with defects are left, see
 [`is_partial`](@ref). Settings are those of [`Options`](@ref).
 
-Without patches the whole mesh, which must lie in a plane, with windows that the library chooses:
-round(alpha * faces) faces, as few singular vertices as it can, the boundary kept. A vertex field
-`"size"` says where the faces go.
+Without patches the whole mesh, plane or curved, with windows that the library chooses:
+round(alpha * faces) faces, as few singular vertices as it can, boundary and features kept. A vertex
+field `"size"` says where the faces go. A curved mesh keeps to its surface; features of one lose and get
+vertices only where they are straight, with `edit_boundary` also where they turn by less than 30 degrees.
 
 Throws `AlphaMSTError`: ARGUMENT (alpha <= 0, patches of another mesh), NOT_FINITE, STALE, STATE (in a
-callback), CANCELLED, UNSUPPORTED (whole mesh that is no plane).
+callback), CANCELLED.
 """
 function adapt!(mesh::Mesh, patches::Patches, alpha::Real; options = nothing, settings...)
     given = chosen(options, settings)

@@ -14,11 +14,13 @@ use crate::{options, Mesh, Options, Patches, Report, Result};
 /// Errors of all: `Argument` (patches of another mesh), `Stale`, `State`, `Cancelled`.
 impl Mesh {
     /// Replaces each patch by its alpha template. `alpha`, above 0, is for the patches that have none of
-    /// their own. Without patches the whole mesh, which must lie in a plane, with windows that the library
-    /// chooses: round(alpha * faces) faces, as few singular vertices as it can, the boundary kept; a
-    /// vertex field "size" says where the faces go.
+    /// their own. Without patches the whole mesh, plane or curved, with windows that the library chooses:
+    /// round(alpha * faces) faces, as few singular vertices as it can, boundary and features kept; a
+    /// vertex field "size" says where the faces go. A curved mesh keeps to its surface; features of one
+    /// lose and get vertices only where they are straight, with [`Options::edit_boundary`] also where they
+    /// turn by less than 30 degrees.
     ///
-    /// Errors: also `Argument` (alpha), `NotFinite`, `Unsupported` (whole mesh that is no plane).
+    /// Errors: also `Argument` (alpha), `NotFinite`.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
