@@ -99,32 +99,33 @@ public:
         return all;
     }
 
+    // Quads with a corner that is not positive against the quads around it, those of the filling and of the
+    // rim, which lies across features, too.
+    int turned(const fill::Filling &filling, geometry::Drape drape) const {
+        append(draped_.points, filling.boundary, drape.points);
+        append(draped_.normals, filling.boundary, drape.normals);
+        append(draped_.anchors, filling.boundary, drape.anchors);
+        return geometry::judge(join(filling), drape).inverted;
+    }
+
     // Lets the vertices of filling and rim move together. Places are those of the filling, then
     // of the rim's own vertices.
     Laid improve(const fill::Filling &filling, Laid laid, geometry::EmbedOptions options) const {
-        const int loop = filling.boundary, fresh = filling.vertices - loop;
-        std::vector<std::array<int, 4>> quads = filling.quads;
-        for (std::array<int, 4> quad : quads_) {
-            for (int &v : quad)
-                v += v >= loop ? fresh : 0;
-            quads.push_back(quad);
-        }
+        const int loop = filling.boundary;
+        const std::vector<std::array<int, 4>> quads = join(filling);
         std::vector<char> fixed(fixed_.begin(), fixed_.begin() + loop);
         fixed.resize(static_cast<std::size_t>(filling.vertices), 0);
         fixed.insert(fixed.end(), fixed_.begin() + loop, fixed_.end());
-        const auto append = [&](auto &to, const auto &from) {
-            to.insert(to.end(), from.begin() + loop, from.end());
-        };
         if (site_.curved()) {
-            append(laid.draped.points, draped_.points);
-            append(laid.draped.normals, draped_.normals);
-            append(laid.draped.anchors, draped_.anchors);
+            append(draped_.points, loop, laid.draped.points);
+            append(draped_.normals, loop, laid.draped.normals);
+            append(draped_.anchors, loop, laid.draped.anchors);
             const std::vector<double> areas = site_.ground().areas(quads, laid.draped);
             options.area = areas;
             static_cast<geometry::Judgement &>(laid) =
                 geometry::improve(site_.surface(), quads, fixed, laid.draped, options);
         } else {
-            append(laid.flat, flat_);
+            append(flat_, loop, laid.flat);
             geometry::Embedding embedding = geometry::improve(quads, fixed, std::move(laid.flat), options);
             static_cast<geometry::Judgement &>(laid) = embedding;
             laid.flat = std::move(embedding.positions);
@@ -151,6 +152,21 @@ public:
     }
 
 private:
+    template <class Values> static void append(const Values &from, int start, Values &to) {
+        to.insert(to.end(), from.begin() + start, from.end());
+    }
+
+    // Quads of the filling and then of the rim, whose own vertices come after those of the filling.
+    std::vector<std::array<int, 4>> join(const fill::Filling &filling) const {
+        std::vector<std::array<int, 4>> quads = filling.quads;
+        for (std::array<int, 4> quad : quads_) {
+            for (int &v : quad)
+                v += v >= filling.boundary ? filling.vertices - filling.boundary : 0;
+            quads.push_back(quad);
+        }
+        return quads;
+    }
+
     const Site &site_;
     const std::vector<int> &faces_;
     std::unordered_map<int, int> number_;
@@ -161,6 +177,13 @@ private:
     geometry::Drape draped_;
     Shapeliness shape_;
 };
+
+// Vertices of the window as its filling numbers them.
+std::vector<int> all_of(const patch::Window &window) {
+    std::vector<int> vertices = window.loop;
+    vertices.insert(vertices.end(), window.interior.begin(), window.interior.end());
+    return vertices;
+}
 
 std::vector<Quad> quads_of(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
     std::vector<Quad> quads;
@@ -196,9 +219,10 @@ void cut(Laid &laid, const fill::Filling &filling) {
     laid.draped.anchors.resize(std::min(laid.draped.anchors.size(), n));
 }
 
+// most_turned: see Rim::turned; nothing where there are no features.
 std::optional<Trial> judge(const Site &site, const Rim &rim, const Shape &shape, const Shapeliness &wanted,
-                           const Settings &settings, const std::optional<Coverage> &coverage,
-                           Obstacles &obstacles) {
+                           std::optional<int> most_turned, const Settings &settings,
+                           const std::optional<Coverage> &coverage, Obstacles &obstacles) {
     const fill::Filling &filling = shape.filling;
     Laid laid;
     if (site.curved()) {
@@ -225,6 +249,8 @@ std::optional<Trial> judge(const Site &site, const Rim &rim, const Shape &shape,
         if (!reaches(shape_of(laid), wanted))
             return std::nullopt;
         rim.collect(filling, laid, trial);
+    } else if (most_turned && rim.turned(filling, laid.draped) > *most_turned) {
+        return std::nullopt;
     }
     if (coverage && !stays_near(site, rim, filling, laid, *coverage, !trial.moved.empty(), trial))
         return std::nullopt;
@@ -260,6 +286,9 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
                               ? crosses->straying(quads_of(mesh, place.faces)) - least_turn
                               : right_angle;
         std::optional<Trial> best;
+        std::optional<int> most_turned;
+        if (mesh.curves && site.curved())
+            most_turned = rim.turned(site.old, site.draped(all_of(site.window)));
         Obstacles obstacles;
         int tried = 0, among = 0;
         for (const Site::Source &source : site.sources())
@@ -276,7 +305,8 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
                     // To be rid of an inverted quad is worth as much as to be rid of a singularity.
                     const int gain = std::max(0, -change) + before.inverted;
                     least.poor = before.poor + gain * wanted.poor;
-                    if (auto trial = judge(site, rim, shape, least, settings, ground.coverage, obstacles)) {
+                    if (auto trial = judge(site, rim, shape, least, most_turned, settings, ground.coverage,
+                                           obstacles)) {
                         trial->singular_change = change;
                         if (crosses == nullptr)
                             return trial;
