@@ -289,6 +289,9 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
         std::optional<int> most_turned;
         if (mesh.curves && site.curved())
             most_turned = rim.turned(site.old, site.draped(all_of(site.window)));
+        const int turned = most_turned.value_or(0);
+        if (goal.forbid_old && turned > 0)
+            --*most_turned;
         Obstacles obstacles;
         int tried = 0, among = 0;
         for (const Site::Source &source : site.sources())
@@ -303,7 +306,7 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
                         !site.fits(shape.filling) || obstacles.met_by(shape.filling))
                         continue;
                     // To be rid of an inverted quad is worth as much as to be rid of a singularity.
-                    const int gain = std::max(0, -change) + before.inverted;
+                    const int gain = std::max(0, -change) + std::max(before.inverted, turned);
                     least.poor = before.poor + gain * wanted.poor;
                     if (auto trial = judge(site, rim, shape, least, most_turned, settings, ground.coverage,
                                            obstacles)) {
