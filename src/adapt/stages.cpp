@@ -44,7 +44,7 @@ struct Level {
 };
 constexpr std::array<Level, 3> on_way = {{{1, 2, 1}, {0.6, 4, 1.4}, {0.4, 8, 2}}}; // far from the count
 constexpr std::array<Level, 3> mending = {{{1, 0, 1}, {0.3, 2, 1}, {0.1, 8, 3}}};
-constexpr int tries = 4;
+constexpr int tries = 4, tries_at_features = 16;
 constexpr double good_way = 0.7; // of what was missing, or less, is what shall be left
 constexpr int large_on_way = 60;
 constexpr std::size_t most_sizes = 3; // of windows, the most promising
@@ -243,6 +243,7 @@ private:
     // What is left of bad shapes, most often of the input: around them any filling that is better, the
     // more so the worse they are.
     void mend() {
+        const int most = mesh_.curves ? tries_at_features : tries;
         for (const Level &level : mending) {
             allow(level);
             for (const int size : {16, 30, 60}) {
@@ -251,7 +252,7 @@ private:
                 pass.size = size;
                 pass.most_added = level.added;
                 pass.shape = {level.shape * least_quality, 0, most_misshapen};
-                for (int k = 0; k < (level.added > 0 ? tries : 1); ++k)
+                for (int k = 0; k < (level.added > 0 ? most : 1); ++k)
                     run(pass, "mend", 0, 0);
             }
         }

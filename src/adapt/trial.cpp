@@ -7,6 +7,7 @@
 #include "adapt/align.h"
 #include "adapt/locate.h"
 #include "adapt/obstacle.h"
+#include "adapt/rails.h"
 #include "adapt/shaping.h"
 #include "adapt/site.h"
 #include "patch/region.h"
@@ -65,10 +66,14 @@ public:
             const int inside = i < site.window.loop.size() ? site.window.inside[i] : 0;
             fixed_.push_back(found[i] + inside != mesh.valence(v) || patch::pinned(mesh, v));
         }
-        if (site.curved())
+        if (site.curved()) {
             draped_ = site.draped(vertices_);
-        else
+            geometry::Drape judged = draped_;
+            forget_normals(mesh, vertices_, quads_, judged);
+            normals_ = std::move(judged.normals);
+        } else {
             flat_ = site.flat(vertices_);
+        }
         if (!quads_.empty())
             shape_ =
                 shape_of(site.curved() ? geometry::judge(quads_, draped_) : geometry::judge(quads_, flat_));
@@ -100,11 +105,16 @@ public:
     }
 
     // Quads with a corner that is not positive against the quads around it, those of the filling and of the
-    // rim, which lies across features, too.
+    // rim, which lies across features, too; with the rim where it is if the drape knows no places for it.
     int turned(const fill::Filling &filling, geometry::Drape drape) const {
-        append(draped_.points, filling.boundary, drape.points);
-        append(draped_.normals, filling.boundary, drape.normals);
-        append(draped_.anchors, filling.boundary, drape.anchors);
+        const auto n = static_cast<std::size_t>(filling.vertices);
+        if (drape.points.size() == n) {
+            append(draped_.points, filling.boundary, drape.points);
+            append(draped_.anchors, filling.boundary, drape.anchors);
+        }
+        drape.normals.resize(n);
+        std::copy_n(normals_.begin(), filling.boundary, drape.normals.begin());
+        append(normals_, filling.boundary, drape.normals);
         return geometry::judge(join(filling), drape).inverted;
     }
 
@@ -175,6 +185,7 @@ private:
     std::vector<char> fixed_;
     geometry::Points flat_;
     geometry::Drape draped_;
+    std::vector<Eigen::Vector3d> normals_; // of draped_, but none on features
     Shapeliness shape_;
 };
 
@@ -219,9 +230,14 @@ void cut(Laid &laid, const fill::Filling &filling) {
     laid.draped.anchors.resize(std::min(laid.draped.anchors.size(), n));
 }
 
-// most_turned: see Rim::turned; nothing where there are no features.
+// Quads that may be turned over, see Rim::turned, where the rim stays as it is and where it moves, too.
+struct Turned {
+    int alone, with_rim;
+};
+
+// most_turned: nothing where there are no features.
 std::optional<Trial> judge(const Site &site, const Rim &rim, const Shape &shape, const Shapeliness &wanted,
-                           std::optional<int> most_turned, const Settings &settings,
+                           const std::optional<Turned> &most_turned, const Settings &settings,
                            const std::optional<Coverage> &coverage, Obstacles &obstacles) {
     const fill::Filling &filling = shape.filling;
     Laid laid;
@@ -249,9 +265,11 @@ std::optional<Trial> judge(const Site &site, const Rim &rim, const Shape &shape,
         if (!reaches(shape_of(laid), wanted))
             return std::nullopt;
         rim.collect(filling, laid, trial);
-    } else if (most_turned && rim.turned(filling, laid.draped) > *most_turned) {
-        return std::nullopt;
     }
+    // Where the rim moves as well, quads that stay turned over have come nearer to being mended.
+    if (most_turned &&
+        rim.turned(filling, laid.draped) > (trial.moved.empty() ? most_turned->alone : most_turned->with_rim))
+        return std::nullopt;
     if (coverage && !stays_near(site, rim, filling, laid, *coverage, !trial.moved.empty(), trial))
         return std::nullopt;
     if (const Crosses *crosses = site.ground().crosses) {
@@ -286,12 +304,12 @@ std::optional<Trial> attempt(const mesh::QuadMesh &mesh, const Place &place, con
                               ? crosses->straying(quads_of(mesh, place.faces)) - least_turn
                               : right_angle;
         std::optional<Trial> best;
-        std::optional<int> most_turned;
-        if (mesh.curves && site.curved())
-            most_turned = rim.turned(site.old, site.draped(all_of(site.window)));
-        const int turned = most_turned.value_or(0);
-        if (goal.forbid_old && turned > 0)
-            --*most_turned;
+        std::optional<Turned> most_turned;
+        int turned = 0;
+        if (mesh.curves && site.curved()) {
+            turned = rim.turned(site.old, site.draped(all_of(site.window)));
+            most_turned = {goal.forbid_old ? std::max(0, turned - 1) : turned, turned};
+        }
         Obstacles obstacles;
         int tried = 0, among = 0;
         for (const Site::Source &source : site.sources())

@@ -316,6 +316,27 @@ TEST(Rails, AnAdaptedBoxHasTheSameEdges) {
     }
 }
 
+// Two shallow domes that meet at a sharp circle: quads with two sides on it may have positive corners of
+// their own and yet be turned over against what is beyond. None is made.
+TEST(Rails, NoQuadTurnsOverAcrossFeatures) {
+    for (const double alpha : {0.35, 0.5}) {
+        mesh::QuadMesh mesh = mesh::cube(10, [](const Vector3d &given) {
+            const Vector3d p = (given / 5 - Vector3d::Ones()).normalized();
+            return Vector3d(p.x(), p.y(), 0.3 * p.z() * std::abs(p.z()));
+        });
+        int sharp = 0;
+        for (const int e : mesh::find_features(mesh, 25).edges) {
+            mesh.edge_flags[at(e)] |= mesh::feature;
+            ++sharp;
+        }
+        EXPECT_EQ(sharp, 40);
+        adapt_whole(mesh, alpha, {}, silent);
+        EXPECT_LE(mesh.n_faces(), 300);
+        for (const double quality : ground_of(mesh).scaled_jacobians(mesh))
+            EXPECT_GT(quality, 0) << alpha;
+    }
+}
+
 // Two neighbours on an edge of the box in the wrong order, so that the quads at it are folded.
 struct Folded : Box {
     Folded() : Box(1, 1, 0) {
