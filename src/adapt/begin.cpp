@@ -37,6 +37,10 @@ std::int64_t count_inverted(mesh::QuadMesh &mesh) {
 // Vertices that may slide along a feature may go from it, too: it stays where it is either way.
 bool spared(const mesh::QuadMesh &mesh, int vertex) { return static_cast<bool>(rail_of(mesh, vertex)); }
 
+bool uncovers_or_inverts(mesh::QuadMesh &other, const Coverage &coverage, mesh::QuadMesh &before) {
+    return !coverage.complete() || count_inverted(other) > count_inverted(before);
+}
+
 // In steps, as chords say nothing of shapes; the last of them that comes right is the answer.
 void coarsen_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Rules &rules,
                        const Settings &settings, const Progress &progress) {
@@ -50,7 +54,7 @@ void coarsen_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::R
         land(other);
         Ground ground = ground_of(other);
         ground.coverage = coverage_of(other, *other.surface, wanted, settings.tolerance);
-        if (!ground.coverage->complete() || count_inverted(other) > count_inverted(mesh)) {
+        if (uncovers_or_inverts(other, *ground.coverage, mesh)) {
             part /= 2;
             continue;
         }
@@ -65,8 +69,7 @@ void refine_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::Ru
     progress(0, "chords");
     approach_by_chords(other, wanted, rules, Order::shortest, silent);
     land(other);
-    if (coverage_of(other, *mesh.surface, wanted, settings.tolerance).complete() &&
-        count_inverted(other) <= count_inverted(mesh))
+    if (!uncovers_or_inverts(other, coverage_of(other, *mesh.surface, wanted, settings.tolerance), mesh))
         mesh = std::move(other);
 }
 

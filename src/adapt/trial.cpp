@@ -68,9 +68,11 @@ public:
         }
         if (site.curved()) {
             draped_ = site.draped(vertices_);
-            geometry::Drape judged = draped_;
-            forget_normals(mesh, vertices_, quads_, judged);
-            normals_ = std::move(judged.normals);
+            if (mesh.curves) {
+                geometry::Drape judged = draped_;
+                forget_normals(mesh, vertices_, quads_, judged);
+                normals_ = std::move(judged.normals);
+            }
         } else {
             flat_ = site.flat(vertices_);
         }
@@ -106,6 +108,7 @@ public:
 
     // Quads with a corner that is not positive against the quads around it, those of the filling and of the
     // rim, which lies across features, too; with the rim where it is if the drape knows no places for it.
+    // Only for meshes with features.
     int turned(const fill::Filling &filling, geometry::Drape drape) const {
         const auto n = static_cast<std::size_t>(filling.vertices);
         if (drape.points.size() == n) {
