@@ -73,69 +73,107 @@ void glue(Kernel &kernel, Halfedge kept, Halfedge gone) {
         kernel.set_halfedge_handle(face, kept);
 }
 
+// The half-edges along the chord in the face at the left of a side: from its end, and to its start.
+std::array<Halfedge, 2> rails(const Kernel &kernel, int side) {
+    return {kernel.next_halfedge_handle(Halfedge(side)), kernel.prev_halfedge_handle(Halfedge(side))};
+}
+
+// What a chord takes with it; all ascending.
+struct Gone {
+    std::vector<int> faces, vertices;
+    std::vector<int> crossed; // the edges that the chord passes
+    std::vector<int> edges;   // these and one of each two rails
+};
+
+// Everything but gone.edges.
+Gone find_gone(const QuadMesh &mesh, std::span<const int> sides, std::span<const std::array<int, 2>> merged) {
+    const Kernel &kernel = mesh.kernel();
+    Gone gone;
+    for (const int side : sides) {
+        if (side < 0 || at(side) >= kernel.n_halfedges())
+            refuse("a chord has an edge that is not in the mesh");
+        gone.crossed.push_back(side / 2);
+        if (!kernel.is_boundary(Halfedge(side)))
+            gone.faces.push_back(kernel.face_handle(Halfedge(side)).idx());
+    }
+    gone.crossed = sorted(std::move(gone.crossed), "a chord passes an edge twice");
+    gone.faces = sorted(std::move(gone.faces), "a chord crosses itself");
+    for (const auto &[vertex, survivor] : merged) {
+        if (vertex < 0 || survivor < 0 || std::max(vertex, survivor) >= mesh.n_vertices())
+            refuse("a chord has a vertex that is not in the mesh");
+        gone.vertices.push_back(vertex);
+    }
+    gone.vertices = sorted(std::move(gone.vertices), "a vertex of a chord is merged twice");
+    return gone;
+}
+
+// Glues the rails of one face after the other, in numbers only, and fills in gone.edges.
+Rails find_heirs(const Kernel &kernel, std::span<const int> sides, Gone &gone) {
+    std::vector<int> edges;
+    for (const int side : sides)
+        if (!kernel.is_boundary(Halfedge(side)))
+            for (const Halfedge rail : rails(kernel, side))
+                edges.push_back(rail.idx() / 2);
+    Rails heirs(std::move(edges));
+    gone.edges = gone.crossed;
+    for (const int side : sides) {
+        if (kernel.is_boundary(Halfedge(side)))
+            continue;
+        const auto [at_end, at_start] = rails(kernel, side);
+        const int kept = heirs.heir(at_end.idx() / 2), lost = heirs.heir(at_start.idx() / 2);
+        if (kept == lost)
+            refuse("the borders of a chord close up");
+        heirs.glue(lost, kept);
+        gone.edges.push_back(lost);
+    }
+    gone.edges = sorted(std::move(gone.edges), "an edge goes twice with a chord");
+    return heirs;
+}
+
+// The half-edges out of all vertices that go, then those out of the ones that stay in their place.
+std::vector<Out> find_outs(const Kernel &kernel, std::span<const std::array<int, 2>> merged,
+                           const std::vector<int> &gone) {
+    std::vector<Out> outs;
+    const auto collect = [&](int v, int survivor) {
+        around(kernel, v, [&](Halfedge h) { outs.push_back({h, survivor}); });
+    };
+    std::vector<int> survivors;
+    for (const auto &[vertex, survivor] : merged) {
+        if (contains(gone, survivor))
+            refuse("a vertex that stays goes as well");
+        collect(vertex, survivor);
+        survivors.push_back(survivor);
+    }
+    std::sort(survivors.begin(), survivors.end());
+    survivors.erase(std::unique(survivors.begin(), survivors.end()), survivors.end());
+    for (const int v : survivors)
+        collect(v, v);
+    return outs;
+}
+
+// Gives each vertex that stays a half-edge that stays, one on the boundary if there is any.
+void anchor(Kernel &kernel, const std::vector<Out> &outs, const std::vector<int> &gone_edges) {
+    for (const Out &out : outs)
+        if (!contains(gone_edges, out.halfedge.idx() / 2))
+            kernel.set_halfedge_handle(Vertex(out.survivor), out.halfedge);
+    for (const Out &out : outs)
+        if (!contains(gone_edges, out.halfedge.idx() / 2) && kernel.is_boundary(out.halfedge))
+            kernel.set_halfedge_handle(Vertex(out.survivor), out.halfedge);
+}
+
 } // namespace
 
 QuadMesh::Collapsed QuadMesh::collapse_chord(std::span<const int> sides,
                                              std::span<const std::array<int, 2>> merged) {
     check_sizes();
-    std::vector<int> faces, crossed, gone_vertices, rail_edges;
-    const auto rails = [&](int side) { // at its end, at its start
-        return std::array{kernel_.next_halfedge_handle(Halfedge(side)),
-                          kernel_.prev_halfedge_handle(Halfedge(side))};
-    };
-    for (const int side : sides) {
-        if (side < 0 || at(side) >= kernel_.n_halfedges())
-            refuse("a chord has an edge that is not in the mesh");
-        crossed.push_back(side / 2);
-        if (kernel_.is_boundary(Halfedge(side)))
-            continue;
-        faces.push_back(kernel_.face_handle(Halfedge(side)).idx());
-        for (const Halfedge rail : rails(side))
-            rail_edges.push_back(rail.idx() / 2);
-    }
-    crossed = sorted(std::move(crossed), "a chord passes an edge twice");
-    faces = sorted(std::move(faces), "a chord crosses itself");
-    for (const auto &[gone, survivor] : merged) {
-        if (gone < 0 || survivor < 0 || std::max(gone, survivor) >= n_vertices())
-            refuse("a chord has a vertex that is not in the mesh");
-        gone_vertices.push_back(gone);
-    }
-    gone_vertices = sorted(std::move(gone_vertices), "a vertex of a chord is merged twice");
-
+    Gone gone = find_gone(*this, sides, merged);
+    const Rails heirs = find_heirs(kernel_, sides, gone);
+    const std::vector<Out> outs = find_outs(kernel_, merged, gone.vertices);
+    Ids new_faces(gone.faces, 0, kernel_.n_faces()), new_edges(gone.edges, 0, kernel_.n_edges()),
+        new_vertices(gone.vertices, 0, kernel_.n_vertices());
     Collapsed result;
-    Rails heirs(rail_edges);
-    std::vector<int> gone_edges = crossed;
-    for (const int side : sides) {
-        if (kernel_.is_boundary(Halfedge(side)))
-            continue;
-        const auto [at_end, at_start] = rails(side);
-        const int kept = heirs.heir(at_end.idx() / 2), gone = heirs.heir(at_start.idx() / 2);
-        if (kept == gone)
-            refuse("the borders of a chord close up");
-        heirs.glue(gone, kept);
-        gone_edges.push_back(gone);
-    }
-    gone_edges = sorted(std::move(gone_edges), "an edge goes twice with a chord");
-    std::vector<Out> outs;
-    const auto collect = [&](int v, int survivor) {
-        around(kernel_, v, [&](Halfedge h) { outs.push_back({h, survivor}); });
-    };
-    for (const auto &[gone, survivor] : merged) {
-        if (contains(gone_vertices, survivor))
-            refuse("a vertex that stays goes as well");
-        collect(gone, survivor);
-    }
-    std::vector<int> survivors;
-    for (const auto &[gone, survivor] : merged)
-        survivors.push_back(survivor);
-    std::sort(survivors.begin(), survivors.end());
-    survivors.erase(std::unique(survivors.begin(), survivors.end()), survivors.end());
-    for (const int v : survivors)
-        collect(v, v);
-    Ids new_faces(faces, 0, kernel_.n_faces()), new_edges(gone_edges, 0, kernel_.n_edges()),
-        new_vertices(gone_vertices, 0, kernel_.n_vertices());
-    for (const int edge : gone_edges)
-        if (!contains(crossed, edge))
+    for (const int edge : gone.edges)
+        if (!contains(gone.crossed, edge))
             result.glued.push_back({edge, heirs.heir(edge)});
 
     // From here on nothing throws.
@@ -154,26 +192,15 @@ QuadMesh::Collapsed QuadMesh::collapse_chord(std::span<const int> sides,
             bypass(kernel_, Halfedge(side));
     for (const int side : sides)
         if (!kernel_.is_boundary(Halfedge(side))) {
-            const auto [kept, gone] = rails(side);
-            const std::size_t k = at(kept.idx() / 2), g = at(gone.idx() / 2);
-            glue(kernel_, kept, gone);
-            edge_flags[k] |= edge_flags[g];
+            const auto [kept, lost] = rails(kernel_, side);
+            const std::size_t k = at(kept.idx() / 2), l = at(lost.idx() / 2);
+            glue(kernel_, kept, lost);
+            edge_flags[k] |= edge_flags[l];
             if (!edge_marker.empty() && edge_marker[k] == 0)
-                edge_marker[k] = edge_marker[g];
+                edge_marker[k] = edge_marker[l];
         }
-    for (const Out &out : outs)
-        if (!contains(gone_edges, out.halfedge.idx() / 2))
-            kernel_.set_halfedge_handle(Vertex(out.survivor), out.halfedge);
-    for (const Out &out : outs)
-        if (!contains(gone_edges, out.halfedge.idx() / 2) && kernel_.is_boundary(out.halfedge))
-            kernel_.set_halfedge_handle(Vertex(out.survivor), out.halfedge);
-    for (const auto &[from, to] : new_faces.moves)
-        move_face(from, to);
-    for (const auto &[from, to] : new_edges.moves)
-        move_edge(from, to);
-    for (const auto &[from, to] : new_vertices.moves)
-        move_vertex(from, to);
-    resize(new_vertices.after, new_edges.after, new_faces.after);
+    anchor(kernel_, outs, gone.edges);
+    close_gaps(new_faces, new_edges, new_vertices);
     result.moved_faces = std::move(new_faces.moves);
     result.moved_edges = std::move(new_edges.moves);
     result.moved_vertices = std::move(new_vertices.moves);

@@ -20,6 +20,8 @@ class Surface;
 
 namespace alphamst::mesh {
 
+struct Ids;
+
 struct Traits : OpenMesh::DefaultTraits {
     using Point = OpenMesh::Vec3d;
     VertexAttributes(OpenMesh::Attributes::None);
@@ -159,7 +161,11 @@ private:
     void move_vertex(int from, int to);
     void move_edge(int from, int to);
     void move_face(int from, int to);
+    // Carries out all moves and takes off what is left over at the end.
+    void close_gaps(const Ids &faces, const Ids &edges, const Ids &vertices);
     struct Block;
+    struct Pieces;
+    void write_pieces(Pieces &pieces, Cut &cut);
     void write_block(Block &block, std::vector<int> &pieces, int &next_face);
     void write_row(const std::vector<int> &vertices, const std::vector<int> &pieces);
     void check_sizes() const;

@@ -81,6 +81,12 @@ struct Disk {
     std::vector<int> sides; // [loop] from here to the next vertex, the disk at the left
 };
 
+void test_points(std::span<const OpenMesh::Vec3d> points) {
+    for (const auto &point : points)
+        if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+            refuse("a new vertex has a coordinate that is infinite or not a number");
+}
+
 Disk find_disk(const Kernel &kernel, std::span<const int> faces, const Loop &loop) {
     Disk disk{{faces.begin(), faces.end()}, {}, {}, std::vector<int>(loop.size(), -1)};
     std::sort(disk.faces.begin(), disk.faces.end());
@@ -204,6 +210,20 @@ void test_chords(const QuadMesh &mesh, const Disk &disk, std::span<const int> lo
     }
 }
 
+// The half-edge at each corner of the quads: those of the loop stay, new edges are numbered in the order
+// in which the quads come to them.
+std::vector<int> number_sides(Quads quads, const std::vector<int> &twins, const Disk &disk,
+                              const Ids &new_edges) {
+    std::vector<int> sides(twins.size());
+    for (std::size_t c = 0, edge = 0; c < twins.size(); ++c) {
+        if (twins[c] < 0)
+            sides[c] = disk.sides[at(quads[c / 4][c % 4])];
+        else
+            sides[c] = at(twins[c]) < c ? sides[at(twins[c])] ^ 1 : 2 * new_edges.ids[edge++];
+    }
+    return sides;
+}
+
 std::int32_t most_frequent_marker(const std::vector<std::int32_t> &markers, const std::vector<int> &faces) {
     if (markers.empty())
         return 0;
@@ -275,15 +295,23 @@ void QuadMesh::move_face(int from, int to) {
         face_marker[at(to)] = face_marker[at(from)];
 }
 
+void QuadMesh::close_gaps(const Ids &faces, const Ids &edges, const Ids &vertices) {
+    for (const auto &[from, to] : faces.moves)
+        move_face(from, to);
+    for (const auto &[from, to] : edges.moves)
+        move_edge(from, to);
+    for (const auto &[from, to] : vertices.moves)
+        move_vertex(from, to);
+    resize(vertices.after, edges.after, faces.after);
+}
+
 QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<const int> loop,
                                           std::span<const std::array<int, 4>> quads,
                                           std::span<const OpenMesh::Vec3d> points) {
     check_sizes();
     const int n_loop = static_cast<int>(loop.size());
     const int n_local = n_loop + static_cast<int>(points.size());
-    for (const auto &point : points)
-        if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-            refuse("a new vertex has a coordinate that is infinite or not a number");
+    test_points(points);
     const Disk disk = find_disk(kernel_, faces, Loop(loop, n_vertices()));
     const std::vector<int> twins = match(quads, n_loop, n_local);
     test_filling(quads, twins, n_loop, n_local);
@@ -296,13 +324,7 @@ QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<
     const std::int32_t marker = most_frequent_marker(face_marker, disk.faces);
     std::vector<int> vertices(loop.begin(), loop.end());
     vertices.insert(vertices.end(), new_vertices.ids.begin(), new_vertices.ids.end());
-    std::vector<int> sides(twins.size());
-    for (std::size_t c = 0, edge = 0; c < twins.size(); ++c) {
-        if (twins[c] < 0)
-            sides[c] = disk.sides[at(quads[c / 4][c % 4])];
-        else
-            sides[c] = at(twins[c]) < c ? sides[at(twins[c])] ^ 1 : 2 * new_edges.ids[edge++];
-    }
+    const std::vector<int> sides = number_sides(quads, twins, disk, new_edges);
     reserve(new_vertices.during, new_edges.during, new_faces.during);
 
     // From here on nothing throws.
@@ -339,13 +361,7 @@ QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<
     for (std::size_t i = 0; i < loop.size(); ++i)
         if (!on_boundary(loop[i]))
             kernel_.set_halfedge_handle(Vertex(loop[i]), Halfedge(disk.sides[i]));
-    for (const auto &[from, to] : new_faces.moves)
-        move_face(from, to);
-    for (const auto &[from, to] : new_edges.moves)
-        move_edge(from, to);
-    for (const auto &[from, to] : new_vertices.moves)
-        move_vertex(from, to);
-    resize(new_vertices.after, new_edges.after, new_faces.after);
+    close_gaps(new_faces, new_edges, new_vertices);
     return {std::move(new_faces.ids), std::move(new_vertices.ids), std::move(new_faces.moves),
             std::move(new_vertices.moves)};
 }
