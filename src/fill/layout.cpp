@@ -78,6 +78,94 @@ std::vector<int> faces_at(const Filling &filling) {
     return count;
 }
 
+// Vertices that no line passes: singular ones, corners, and those of the boundary without two faces.
+std::vector<char> stopping_vertices(const Filling &filling, const std::vector<int> &faces,
+                                    const std::vector<int> &corners) {
+    std::vector<char> stops(static_cast<std::size_t>(filling.vertices), 0);
+    for (int v = 0; v < filling.vertices; ++v)
+        stops[static_cast<std::size_t>(v)] =
+            faces[static_cast<std::size_t>(v)] != (v >= filling.boundary ? 4 : 2);
+    for (const int c : corners)
+        stops[static_cast<std::size_t>(c)] = 1;
+    return stops;
+}
+
+// Whether the line of each edge comes to a vertex that stops it. Lines are edges that go straight on
+// through regular vertices: an edge belongs to the line of the edge opposite to it in the vertex's fan.
+std::vector<char> broken_lines(const Filling &filling, const Edges &edges, const std::vector<int> &faces,
+                               const std::vector<char> &stops) {
+    Groups lines(static_cast<int>(edges.ends.size()));
+    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> around(
+        static_cast<std::size_t>(filling.vertices));
+    for (std::size_t q = 0; q < filling.quads.size(); ++q)
+        for (std::size_t k = 0; k < 4; ++k)
+            around[static_cast<std::size_t>(filling.quads[q][k])].push_back({q, k});
+    std::vector<char> stopped(edges.ends.size(), 0);
+    for (int v = 0; v < filling.vertices; ++v) {
+        const auto &fan = around[static_cast<std::size_t>(v)];
+        if (v >= filling.boundary && faces[static_cast<std::size_t>(v)] == 4) {
+            for (const auto &[q, k] : fan) {
+                const int out = edges.of_quad[q][k], in = edges.of_quad[q][(k + 3) % 4];
+                for (const auto &[r, l] : fan) // the quad after q has `in` as its outgoing edge
+                    if (edges.of_quad[r][l] == in)
+                        lines.join(out, edges.of_quad[r][(l + 3) % 4]);
+            }
+        } else if (stops[static_cast<std::size_t>(v)]) {
+            for (const auto &[q, k] : fan) {
+                stopped[static_cast<std::size_t>(edges.of_quad[q][k])] = 1;
+                stopped[static_cast<std::size_t>(edges.of_quad[q][(k + 3) % 4])] = 1;
+            }
+        }
+    }
+    std::vector<char> line_stopped(edges.ends.size(), 0), broken(edges.ends.size(), 0);
+    for (std::size_t e = 0; e < edges.ends.size(); ++e)
+        if (stopped[e])
+            line_stopped[static_cast<std::size_t>(lines.find(static_cast<int>(e)))] = 1;
+    for (std::size_t e = 0; e < edges.ends.size(); ++e)
+        broken[e] = line_stopped[static_cast<std::size_t>(lines.find(static_cast<int>(e)))];
+    return broken;
+}
+
+// Chords on the two sides of an unbroken inner line are copies of one, which is the first of its class.
+Groups copied_chords(const Edges &edges, const std::vector<int> &chord, int chords,
+                     const std::vector<char> &broken) {
+    std::vector<int> quads_at(edges.ends.size(), 0);
+    for (const auto &quad : edges.of_quad)
+        for (const int e : quad)
+            ++quads_at[static_cast<std::size_t>(e)];
+    Groups classes(chords);
+    std::vector<int> across(edges.ends.size(), -1);
+    for (const auto &quad : edges.of_quad)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto e = static_cast<std::size_t>(quad[k]);
+            if (quads_at[e] != 2 || broken[e])
+                continue;
+            const int beside = chord[static_cast<std::size_t>(quad[(k + 1) % 4])];
+            if (across[e] < 0)
+                across[e] = beside;
+            else
+                classes.join(across[e], beside);
+        }
+    return classes;
+}
+
+// The vertex of the blocks that each one of the filling is merged into. Numbered in the order of the
+// filling, in which the boundary comes first; says how many there are of either.
+std::vector<int> name_vertices(const Filling &filling, Groups &merged, Filling &blocks) {
+    std::vector<int> name_of_group(static_cast<std::size_t>(filling.vertices), -1), name;
+    int next = 0;
+    for (int v = 0; v < filling.vertices; ++v) {
+        int &number = name_of_group[static_cast<std::size_t>(merged.find(v))];
+        if (number < 0)
+            number = next++;
+        name.push_back(number);
+        if (v == filling.boundary - 1)
+            blocks.boundary = next;
+    }
+    blocks.vertices = next;
+    return name;
+}
+
 } // namespace
 
 void complete(Layout &layout) {
@@ -110,94 +198,33 @@ Layout extract(const Filling &filling, const std::vector<int> &corners) {
     int chords = 0;
     const std::vector<int> chord = chord_of_edges(edges, chords);
     const std::vector<int> faces = faces_at(filling);
-    std::vector<char> stops(static_cast<std::size_t>(filling.vertices), 0); // a line may not pass
+    const std::vector<char> broken =
+        broken_lines(filling, edges, faces, stopping_vertices(filling, faces, corners));
+    Groups classes = copied_chords(edges, chord, chords, broken);
+    const auto stays = [&](int e) {
+        const int c = chord[static_cast<std::size_t>(e)];
+        return classes.find(c) == c;
+    };
     Layout layout;
-    for (int v = 0; v < filling.vertices; ++v) {
-        const int f = faces[static_cast<std::size_t>(v)];
-        const bool inside = v >= filling.boundary;
-        stops[static_cast<std::size_t>(v)] = inside ? f != 4 : f != 2;
-        layout.v3 += inside && f == 3;
-        layout.v5 += inside && f == 5;
+    for (int v = filling.boundary; v < filling.vertices; ++v) {
+        layout.v3 += faces[static_cast<std::size_t>(v)] == 3;
+        layout.v5 += faces[static_cast<std::size_t>(v)] == 5;
     }
-    for (const int c : corners)
-        stops[static_cast<std::size_t>(c)] = 1;
-
-    // Lines: edges that go straight on through regular vertices. An edge belongs to the
-    // line of the edge opposite to it in the vertex's fan.
-    Groups lines(static_cast<int>(edges.ends.size()));
-    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> around(
-        static_cast<std::size_t>(filling.vertices));
-    for (std::size_t q = 0; q < filling.quads.size(); ++q)
-        for (std::size_t k = 0; k < 4; ++k)
-            around[static_cast<std::size_t>(filling.quads[q][k])].push_back({q, k});
-    std::vector<char> broken(edges.ends.size(), 0);
-    for (int v = 0; v < filling.vertices; ++v) {
-        const auto &fan = around[static_cast<std::size_t>(v)];
-        if (v >= filling.boundary && faces[static_cast<std::size_t>(v)] == 4) {
-            for (const auto &[q, k] : fan) {
-                const int out = edges.of_quad[q][k], in = edges.of_quad[q][(k + 3) % 4];
-                for (const auto &[r, l] : fan) // the quad after q has `in` as its outgoing edge
-                    if (edges.of_quad[r][l] == in)
-                        lines.join(out, edges.of_quad[r][(l + 3) % 4]);
-            }
-        } else if (stops[static_cast<std::size_t>(v)]) {
-            for (const auto &[q, k] : fan) {
-                broken[static_cast<std::size_t>(edges.of_quad[q][k])] = 1;
-                broken[static_cast<std::size_t>(edges.of_quad[q][(k + 3) % 4])] = 1;
-            }
-        }
-    }
-    std::vector<char> line_broken(edges.ends.size(), 0);
-    for (std::size_t e = 0; e < edges.ends.size(); ++e)
-        if (broken[e])
-            line_broken[static_cast<std::size_t>(lines.find(static_cast<int>(e)))] = 1;
-    std::vector<int> sides_of_edge(edges.ends.size(), 0);
-    for (const auto &quad : edges.of_quad)
-        for (const int e : quad)
-            ++sides_of_edge[static_cast<std::size_t>(e)];
-
-    // Chords on the two sides of an unbroken inner line are copies of one.
-    Groups classes(chords);
-    std::vector<int> across(edges.ends.size(), -1);
-    for (const auto &quad : edges.of_quad)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const auto e = static_cast<std::size_t>(quad[k]);
-            if (sides_of_edge[e] != 2 || line_broken[static_cast<std::size_t>(lines.find(quad[k]))])
-                continue;
-            const int beside = chord[static_cast<std::size_t>(quad[(k + 1) % 4])];
-            if (across[e] < 0)
-                across[e] = beside;
-            else
-                classes.join(across[e], beside);
-        }
 
     // Collapse every chord that is not the first of its class.
     Groups merged(filling.vertices);
     for (std::size_t e = 0; e < edges.ends.size(); ++e)
-        if (classes.find(chord[e]) != chord[e])
+        if (!stays(static_cast<int>(e)))
             merged.join(edges.ends[e].first, edges.ends[e].second);
-    std::vector<int> name(static_cast<std::size_t>(filling.vertices), -1);
-    int next = 0;
-    for (int pass = 0; pass < 2; ++pass)
-        for (int v = pass == 0 ? 0 : filling.boundary; v < (pass == 0 ? filling.boundary : filling.vertices);
-             ++v) {
-            int &number = name[static_cast<std::size_t>(merged.find(v))];
-            if (number < 0)
-                number = next++;
-            if (pass == 0 && v == filling.boundary - 1)
-                layout.blocks.boundary = next;
-        }
-    layout.blocks.vertices = next;
+    const std::vector<int> name = name_vertices(filling, merged, layout.blocks);
     for (const int c : corners)
-        layout.corners.push_back(name[static_cast<std::size_t>(merged.find(c))]);
+        layout.corners.push_back(name[static_cast<std::size_t>(c)]);
     for (std::size_t q = 0; q < filling.quads.size(); ++q) {
-        const int a = chord[static_cast<std::size_t>(edges.of_quad[q][0])];
-        const int b = chord[static_cast<std::size_t>(edges.of_quad[q][1])];
-        if (classes.find(a) != a || classes.find(b) != b)
+        if (!stays(edges.of_quad[q][0]) || !stays(edges.of_quad[q][1]))
             continue;
         std::array<int, 4> quad{};
         for (std::size_t k = 0; k < 4; ++k)
-            quad[k] = name[static_cast<std::size_t>(merged.find(filling.quads[q][k]))];
+            quad[k] = name[static_cast<std::size_t>(filling.quads[q][k])];
         layout.blocks.quads.push_back(quad);
     }
     complete(layout);
