@@ -121,4 +121,12 @@ inline bool same_bits(const std::vector<double> &a, const std::vector<double> &b
     });
 }
 
+// Ends and marker of each.
+inline std::vector<std::array<std::int32_t, 3>> edges_of(const Arrays &mesh) {
+    std::vector<std::array<std::int32_t, 3>> edges;
+    for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
+        edges.push_back({edge.vertices[0], edge.vertices[1], edge.marker});
+    return edges;
+}
+
 } // namespace alphamst::io::samples

@@ -1,65 +1,26 @@
-// Legacy VTK (Schroeder, Martin and Lorensen 2006; the layout of cells of version
+// Reads legacy VTK (Schroeder, Martin and Lorensen 2006; the layout of cells of version
 // 5.1 after Kitware's file format pages): UNSTRUCTURED_GRID and POLYDATA, ASCII
 // and binary. The whole numbers "marker" of the cells are the region numbers of faces
 // and make marked edges of lines; other data, vertices and other lines are passed over.
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <optional>
 
 #include "io/formats.h"
-#include "io/number.h"
 #include "io/scanner.h"
+#include "io/vtk.h"
+#include "io/vtk_values.h"
 
 namespace alphamst::io {
 namespace {
 
-enum class Kind { whole, natural, real };
-
-struct Type {
-    Kind kind;
-    std::size_t size;
-};
-
-std::optional<Type> find_type(std::string_view word) {
-    struct Named {
-        std::string_view name;
-        Type type;
-    };
-    static constexpr std::array<Named, 17> types{{{"char", {Kind::whole, 1}},
-                                                  {"signed_char", {Kind::whole, 1}},
-                                                  {"unsigned_char", {Kind::natural, 1}},
-                                                  {"short", {Kind::whole, 2}},
-                                                  {"unsigned_short", {Kind::natural, 2}},
-                                                  {"int", {Kind::whole, 4}},
-                                                  {"unsigned_int", {Kind::natural, 4}},
-                                                  {"long", {Kind::whole, 8}},
-                                                  {"unsigned_long", {Kind::natural, 8}},
-                                                  {"vtkidtype", {Kind::whole, 4}}, // VTK writes it as int
-                                                  {"vtktypeint32", {Kind::whole, 4}},
-                                                  {"vtktypeuint32", {Kind::natural, 4}},
-                                                  {"vtktypeint64", {Kind::whole, 8}},
-                                                  {"vtktypeuint64", {Kind::natural, 8}},
-                                                  {"float", {Kind::real, 4}},
-                                                  {"double", {Kind::real, 8}},
-                                                  {"bit", {Kind::natural, 0}}}};
-    for (const Named &named : types)
-        if (same_word(named.name, word))
-            return named.type;
-    return std::nullopt;
-}
+using namespace vtk;
 
 // Cells as VTK 5.1 has them: cell i has the vertices connectivity[offsets[i] .. offsets[i + 1]).
 struct Cells {
     std::vector<std::int64_t> offsets{0}, connectivity;
     std::size_t size() const { return offsets.size() - 1; }
 };
-
-// VTK's cell types.
-constexpr std::int64_t vertex_cell = 1, line_cell = 3, poly_line_cell = 4, triangle_cell = 5,
-                       polygon_cell = 7, pixel_cell = 8, quad_cell = 9;
-
-constexpr std::string_view marker_name = "marker";
 
 class Reader {
 public:
@@ -99,8 +60,8 @@ private:
             scan_.malformed("the file does not begin with # vtk DataFile");
         scan_.line(); // the title
         const std::string_view encoding = scan_.word();
-        binary_ = same_word(encoding, "BINARY");
-        if (!binary_ && !same_word(encoding, "ASCII"))
+        values_.binary = same_word(encoding, "BINARY");
+        if (!values_.binary && !same_word(encoding, "ASCII"))
             scan_.malformed("found " + quoted(encoding) + " in place of ASCII or BINARY");
         if (const std::string_view word = scan_.word(); !same_word(word, "DATASET"))
             scan_.malformed("found " + quoted(word) + " in place of DATASET");
@@ -108,62 +69,6 @@ private:
         grid_ = same_word(set, "UNSTRUCTURED_GRID");
         if (!grid_ && !same_word(set, "POLYDATA"))
             scan_.fail(Fault::unsupported, "the data set " + quoted(set) + " is not read");
-    }
-
-    Type read_type() {
-        const std::string_view word = scan_.word();
-        const std::optional<Type> type = find_type(word);
-        if (!type)
-            scan_.malformed(quoted(word) + " is not a type of VTK");
-        return *type;
-    }
-
-    std::size_t least(Type type) const { return binary_ ? std::max<std::size_t>(type.size, 1) : 2; }
-
-    // Binary values begin right behind the line that announces them.
-    void begin_values() {
-        if (binary_)
-            scan_.line();
-    }
-
-    double real(Type type) {
-        if (!binary_)
-            return scan_.real();
-        if (type.kind != Kind::real)
-            return static_cast<double>(integer(type));
-        const char *bytes = scan_.take(type.size).data();
-        return type.size == 4 ? static_cast<double>(decode<float>(bytes, true)) : decode<double>(bytes, true);
-    }
-
-    std::int64_t integer(Type type) {
-        if (!binary_)
-            return scan_.integer();
-        const char *bytes = scan_.take(type.size).data();
-        const bool natural = type.kind == Kind::natural;
-        switch (type.size) {
-        case 1:
-            return natural ? std::int64_t{decode<std::uint8_t>(bytes, true)}
-                           : decode<std::int8_t>(bytes, true);
-        case 2:
-            return natural ? std::int64_t{decode<std::uint16_t>(bytes, true)}
-                           : decode<std::int16_t>(bytes, true);
-        case 4:
-            return natural ? std::int64_t{decode<std::uint32_t>(bytes, true)}
-                           : decode<std::int32_t>(bytes, true);
-        default:
-            return decode<std::int64_t>(bytes, true);
-        }
-    }
-
-    std::vector<std::int64_t> integers(std::int64_t n, Type type) {
-        if (type.kind == Kind::real || type.size == 0)
-            scan_.malformed("cells are not whole numbers");
-        begin_values();
-        scan_.expect(n, "numbers", least(type));
-        std::vector<std::int64_t> numbers(static_cast<std::size_t>(n));
-        for (std::int64_t &i : numbers)
-            i = integer(type);
-        return numbers;
     }
 
     // Up to an empty line.
@@ -187,7 +92,7 @@ private:
             const std::optional<Type> type = find_type(scan_.word());
             if (!type || type->size == 0)
                 return false;
-            begin_values();
+            values_.begin();
             read_values(*type, width, length, of_cells && name == marker_name);
         }
         return true;
@@ -196,21 +101,18 @@ private:
     // From exactly here; only single whole numbers can be markers.
     void read_values(Type type, std::int64_t width, std::int64_t length, bool wanted) {
         const std::int64_t n = width * length;
-        scan_.expect(n, "values", least(type));
+        scan_.expect(n, "values", values_.least(type));
         if (wanted && width == 1 && type.kind != Kind::real) {
             markers_.emplace(static_cast<std::size_t>(n));
             for (std::int32_t &marker : *markers_) {
-                const std::int64_t value = integer(type);
+                const std::int64_t value = values_.integer(type);
                 marker = static_cast<std::int32_t>(value);
                 if (marker != value)
                     scan_.fail(Fault::unsupported,
                                "the marker " + std::to_string(value) + " does not fit in 32 bits");
             }
-        } else if (binary_) {
-            scan_.take(static_cast<std::size_t>(n) * type.size);
         } else {
-            for (std::int64_t i = 0; i < n; ++i)
-                scan_.word();
+            values_.skip(n, type);
         }
     }
 
@@ -272,14 +174,14 @@ private:
             scan_.malformed("POINTS come twice");
         points_ = true;
         const std::int64_t n = scan_.count("points", 3);
-        const Type type = read_type();
+        const Type type = values_.read_type();
         if (type.size == 0)
             scan_.malformed("points are not bits");
-        begin_values();
-        scan_.expect(n, "points", 3 * least(type));
+        values_.begin();
+        scan_.expect(n, "points", 3 * values_.least(type));
         mesh_.points.reserve(static_cast<std::size_t>(n) * 3);
         for (std::int64_t v = 0; v < n; ++v) {
-            const double x = real(type), y = real(type), z = real(type);
+            const double x = values_.real(type), y = values_.real(type), z = values_.real(type);
             add_vertex(scan_, mesh_, x, y, z);
         }
     }
@@ -288,21 +190,21 @@ private:
     Cells read_cells() {
         cells_seen_ = true;
         const std::int64_t n = scan_.count("cells", 1), size = scan_.count("numbers", 1);
-        if (binary_)
+        if (values_.binary)
             scan_.line();
         else
             scan_.at_end(); // moves to the next word
         if (scan_.ahead("OFFSETS") || scan_.ahead("offsets"))
             return read_offset_cells(n, size);
-        scan_.expect(size, "numbers", binary_ ? 4 : 2);
+        scan_.expect(size, "numbers", values_.binary ? 4 : 2);
         Cells cells;
         std::int64_t left = size;
         for (std::int64_t i = 0; i < n; ++i) {
-            const std::int64_t k = integer({Kind::whole, 4});
+            const std::int64_t k = values_.integer({Kind::whole, 4});
             if (k < 0 || k > left - 1)
                 scan_.malformed("a cell of " + std::to_string(k) + " vertices does not fit");
             for (std::int64_t j = 0; j < k; ++j)
-                cells.connectivity.push_back(integer({Kind::whole, 4}));
+                cells.connectivity.push_back(values_.integer({Kind::whole, 4}));
             cells.offsets.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
             left -= 1 + k;
         }
@@ -314,10 +216,10 @@ private:
     Cells read_offset_cells(std::int64_t n_offsets, std::int64_t size) {
         Cells cells;
         scan_.word();
-        cells.offsets = integers(n_offsets, read_type());
+        cells.offsets = values_.integers(n_offsets, values_.read_type());
         if (const std::string_view word = scan_.word(); !same_word(word, "CONNECTIVITY"))
             scan_.malformed("found " + quoted(word) + " in place of CONNECTIVITY");
-        cells.connectivity = integers(size, read_type());
+        cells.connectivity = values_.integers(size, values_.read_type());
         if (cells.offsets.empty()) // VTK writes no offsets for no cells
             cells.offsets.push_back(0);
         if (cells.offsets.front() != 0 || cells.offsets.back() != size ||
@@ -330,7 +232,7 @@ private:
         if (same_word(keyword, "CELLS")) {
             cells_ = read_cells();
         } else if (same_word(keyword, "CELL_TYPES")) {
-            types_ = integers(scan_.count("cell types", 1), {Kind::whole, 4});
+            types_ = values_.integers(scan_.count("cell types", 1), {Kind::whole, 4});
         } else {
             return false;
         }
@@ -426,7 +328,8 @@ private:
     std::int64_t n_faces() const { return static_cast<std::int64_t>(mesh_.faces.size() / 4); }
 
     Scanner scan_;
-    bool binary_ = false, grid_ = false, points_ = false, cells_seen_ = false;
+    Values values_{scan_};
+    bool grid_ = false, points_ = false, cells_seen_ = false;
     Cells cells_; // all of a grid, the lines of POLYDATA
     std::size_t n_vertex_cells_ = 0;
     std::vector<std::int64_t> types_;
@@ -437,33 +340,5 @@ private:
 } // namespace
 
 Arrays parse_vtk(std::string_view bytes) { return Reader(bytes).read(); }
-
-std::string print_vtk(const Arrays &mesh) {
-    // Faces first, so that the number of a cell is that of its face.
-    std::vector<Arrays::MarkedEdge> lines;
-    std::copy_if(mesh.marked_edges.begin(), mesh.marked_edges.end(), std::back_inserter(lines),
-                 [](const Arrays::MarkedEdge &edge) { return edge.marker != 0; });
-    const std::size_t n_faces = mesh.faces.size() / 4;
-    const std::string n = std::to_string(n_faces + lines.size());
-    std::string text =
-        "# vtk DataFile Version 3.0\nquadrilateral mesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " +
-        std::to_string(mesh.points.size() / 3) + " double\n";
-    append_points(text, mesh, "");
-    text += "CELLS " + n + " " + std::to_string(5 * n_faces + 3 * lines.size()) + "\n";
-    append_faces(text, mesh, "4 ", 0);
-    for (const Arrays::MarkedEdge &line : lines)
-        text += "2 " + std::to_string(line.vertices[0]) + " " + std::to_string(line.vertices[1]) + "\n";
-    text += "CELL_TYPES " + n + "\n";
-    for (std::size_t i = 0; i < n_faces + lines.size(); ++i)
-        text += std::to_string(i < n_faces ? quad_cell : line_cell) + "\n";
-    if (mesh.face_marker.empty() && lines.empty())
-        return text;
-    text += "CELL_DATA " + n + "\nSCALARS " + std::string(marker_name) + " int 1\nLOOKUP_TABLE default\n";
-    for (std::size_t f = 0; f < n_faces; ++f)
-        text += std::to_string(mesh.face_marker.empty() ? 0 : mesh.face_marker[f]) + "\n";
-    for (const Arrays::MarkedEdge &line : lines)
-        text += std::to_string(line.marker) + "\n";
-    return text;
-}
 
 } // namespace alphamst::io

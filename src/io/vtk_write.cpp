@@ -1,0 +1,40 @@
+// Writes legacy VTK, version 3.0: an UNSTRUCTURED_GRID in ASCII with the markers of faces and edges as
+// data of its cells.
+#include <algorithm>
+#include <iterator>
+
+#include "io/formats.h"
+#include "io/vtk.h"
+
+namespace alphamst::io {
+
+std::string print_vtk(const Arrays &mesh) {
+    // Faces first, so that the number of a cell is that of its face.
+    std::vector<Arrays::MarkedEdge> lines;
+    std::copy_if(mesh.marked_edges.begin(), mesh.marked_edges.end(), std::back_inserter(lines),
+                 [](const Arrays::MarkedEdge &edge) { return edge.marker != 0; });
+    const std::size_t n_faces = mesh.faces.size() / 4;
+    const std::string n = std::to_string(n_faces + lines.size());
+    std::string text =
+        "# vtk DataFile Version 3.0\nquadrilateral mesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " +
+        std::to_string(mesh.points.size() / 3) + " double\n";
+    append_points(text, mesh, "");
+    text += "CELLS " + n + " " + std::to_string(5 * n_faces + 3 * lines.size()) + "\n";
+    append_faces(text, mesh, "4 ", 0);
+    for (const Arrays::MarkedEdge &line : lines)
+        text += "2 " + std::to_string(line.vertices[0]) + " " + std::to_string(line.vertices[1]) + "\n";
+    text += "CELL_TYPES " + n + "\n";
+    for (std::size_t i = 0; i < n_faces + lines.size(); ++i)
+        text += std::to_string(i < n_faces ? vtk::quad_cell : vtk::line_cell) + "\n";
+    if (mesh.face_marker.empty() && lines.empty())
+        return text;
+    text +=
+        "CELL_DATA " + n + "\nSCALARS " + std::string(vtk::marker_name) + " int 1\nLOOKUP_TABLE default\n";
+    for (std::size_t f = 0; f < n_faces; ++f)
+        text += std::to_string(mesh.face_marker.empty() ? 0 : mesh.face_marker[f]) + "\n";
+    for (const Arrays::MarkedEdge &line : lines)
+        text += std::to_string(line.marker) + "\n";
+    return text;
+}
+
+} // namespace alphamst::io
