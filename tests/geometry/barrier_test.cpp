@@ -5,20 +5,13 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "geometry/relax.h"
+#include "fan.h"
 
 namespace {
 
 using namespace alphamst::geometry;
 using Eigen::Vector2d;
-
-// A vertex with three quads around it, some of them folded for some positions.
-struct Fan {
-    std::vector<std::array<int, 4>> quads{{0, 1, 2, 3}, {0, 3, 4, 5}, {0, 5, 6, 1}};
-    Stars stars{quads, 7};
-    Points points{{0.1, 0.2}, {1, 0.1}, {0.6, 0.9}, {-0.5, 0.8}, {-1, 0}, {-0.4, -0.9}, {0.7, -0.8}};
-    std::vector<double> area{1.0, 0.5, 2.0};
-};
+using samples::Fan;
 
 TEST(Barrier, SquareOfTheWantedSizeHasValueOnePerCorner) {
     const std::vector<std::array<int, 4>> quads{{0, 1, 2, 3}};
@@ -84,57 +77,6 @@ TEST(Barrier, WorstCornerIsTheSignedSquareOfTheScaledJacobian) {
     const double s = judge(f.quads, f.points).min_scaled_jacobian;
     EXPECT_NEAR(worst_corner(f.stars.at(0), f.points, f.points[0]), s * std::abs(s), 1e-12);
     EXPECT_LT(worst_corner(f.stars.at(0), f.points, {2, 2}), 0);
-}
-
-TEST(Sharpen, RaisesTheWorstCornerToTheOptimumByItself) {
-    Fan f;
-    double before = worst_corner(f.stars.at(0), f.points, f.points[0]);
-    for (int i = 0; i < 20; ++i)
-        sharpen(f.stars.at(0), f.points, 0, 0);
-    const double reached = worst_corner(f.stars.at(0), f.points, f.points[0]);
-    EXPECT_GT(reached, before);
-    double best = -1;
-    for (double x = -0.5; x < 0.5; x += 0.01)
-        for (double y = -0.5; y < 0.5; y += 0.01)
-            best = std::max(best, worst_corner(f.stars.at(0), f.points, {x, y}));
-    EXPECT_GT(std::sqrt(reached), 0.93 * std::sqrt(best));
-}
-
-TEST(Sharpen, NoCornerGetsSmallerThanAllowed) {
-    // The ring of the fan with every second vertex pulled in or out.
-    const auto smallest_after = [](double pull, double x, int steps, double allowed) {
-        Fan f;
-        for (const std::size_t v : {1u, 3u, 5u})
-            f.points[v] *= pull;
-        f.points[1] *= 0.5;
-        f.points[0] = {x, 0};
-        for (int i = 0; i < steps; ++i)
-            sharpen(f.stars.at(0), f.points, 0, 0, allowed);
-        return judge(f.quads, f.points).min_determinant;
-    };
-    int shrinking = 0;
-    for (double pull = 0.4; pull < 2; pull += 0.1)
-        for (double x = -0.5; x < 0.5; x += 0.05) {
-            const double start = smallest_after(pull, x, 0, 0), free = smallest_after(pull, x, 20, 0);
-            if (!(start > 0 && free < 0.99 * start))
-                continue;
-            ++shrinking;
-            const double between = (start + free) / 2;
-            EXPECT_GE(smallest_after(pull, x, 20, between), between);
-            EXPECT_GE(smallest_after(pull, x, 20, 10), start); // not below the present smallest
-        }
-    EXPECT_GT(shrinking, 0) << "the case no longer shrinks a corner";
-}
-
-TEST(Relax, TheFloorHolds) {
-    for (int i = 0; i < 200; ++i) {
-        Fan f;
-        f.points[0] = {0.4 * std::sin(i), 0.4 * std::cos(3 * i)};
-        const double before = worst_corner(f.stars.at(0), f.points, f.points[0]);
-        const Barrier barrier{.theta = 0.9, .epsilon = 0.3, .area = f.area};
-        relax(barrier, f.stars.at(0), f.points, 0, 0.05);
-        EXPECT_GE(worst_corner(f.stars.at(0), f.points, f.points[0]), std::min(before, 0.05));
-    }
 }
 
 } // namespace
