@@ -15,10 +15,6 @@ using testing::block;
 using testing::grid;
 using testing::without;
 
-std::int32_t defects_of(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
-    return defects(mesh, faces);
-}
-
 TEST(Window, SingleFace) {
     const mesh::QuadMesh mesh = grid(3, 3);
     const std::vector<int> centre = {4}, first = {0};
@@ -115,65 +111,11 @@ TEST(Window, StraightAngleWantsTwoFaces) {
     EXPECT_EQ(after.wanted[0], 2);
 }
 
-TEST(Defects, OfEachKind) {
-    const mesh::QuadMesh mesh = grid(5, 5);
-    EXPECT_EQ(defects_of(mesh, {}), empty);
-    EXPECT_EQ(defects_of(mesh, {0, 24}), not_connected);
-    EXPECT_EQ(defects_of(mesh, {0, 6}), not_connected | pinched);
-    EXPECT_EQ(defects_of(mesh, without(block(5, 1, 1, 4, 4), {12})), not_disk);
-    // Around a hole, closed by a corner only: a disk that meets itself.
-    EXPECT_EQ(defects_of(mesh, without(block(5, 1, 1, 4, 4), {12, 18})), pinched);
-    EXPECT_EQ(defects_of(mesh, without(block(5, 1, 1, 4, 4), {12, 13, 17, 18})), 0);
-    EXPECT_EQ(defects_of(mesh, {0, 1, 5, 6, 23}), not_connected);
-}
-
-TEST(Defects, Features) {
-    const std::vector<int> faces = block(4, 1, 1, 3, 3);
-    mesh::QuadMesh mesh = grid(4, 4);
-    const int inside = mesh.find_edge(12, 13), rim = mesh.find_edge(6, 7);
-    for (const std::uint8_t flag : {mesh::fixed, mesh::feature, mesh::corner}) {
-        mesh.edge_flags[static_cast<std::size_t>(rim)] = flag;
-        mesh.vertex_flags[7] = flag;
-        EXPECT_EQ(defects(mesh, faces), 0);
-        mesh.edge_flags[static_cast<std::size_t>(inside)] = flag;
-        EXPECT_EQ(defects(mesh, faces), crosses_feature);
-        mesh.edge_flags[static_cast<std::size_t>(inside)] = 0;
-        mesh.vertex_flags[12] = flag;
-        EXPECT_EQ(defects(mesh, faces), crosses_feature);
-        mesh.vertex_flags[12] = 0;
-    }
-    mesh.edge_marker.assign(static_cast<std::size_t>(mesh.n_edges()), 0);
-    mesh.edge_marker[static_cast<std::size_t>(inside)] = 7;
-    EXPECT_EQ(defects(mesh, faces), crosses_feature);
-    mesh.edge_marker.clear();
-    mesh.face_marker.assign(16, 1);
-    EXPECT_EQ(defects(mesh, faces), 0);
-    mesh.face_marker[5] = 2;
-    EXPECT_EQ(defects(mesh, faces), crosses_feature);
-}
-
-TEST(Defects, ClosedSurface) {
-    const mesh::QuadMesh cube = testing::cube();
-    EXPECT_EQ(defects_of(cube, {0, 1, 2, 3, 4, 5}), not_disk);
-    EXPECT_EQ(defects_of(cube, {0, 1, 2, 3, 4}), 0);
-    EXPECT_THROW(make_window(cube, {std::vector<int>{0, 1, 2, 3, 4, 5}}), Failure);
-}
-
 TEST(Window, RefusesWhatIsNoDisk) {
     const mesh::QuadMesh mesh = grid(5, 5);
     EXPECT_THROW(make_window(mesh, {}), Failure);
     EXPECT_THROW(make_window(mesh, {std::vector<int>{0, 6}}), Failure);
     EXPECT_THROW(make_window(mesh, without(block(5, 1, 1, 4, 4), {12})), Failure);
-}
-
-TEST(Convexity, DoesNotDependOnThePlane) {
-    mesh::QuadMesh mesh = grid(4, 4);
-    for (int v = 0; v < mesh.n_vertices(); ++v) {
-        const OpenMesh::Vec3d p = mesh.point(v);
-        mesh.set_point(v, {p[1], 0.6 * p[0], 0.8 * p[0]});
-    }
-    EXPECT_NEAR(convexity(mesh, make_window(mesh, {std::vector<int>{5, 6, 9}})), 3 / 3.5, 1e-12);
-    EXPECT_NEAR(convexity(mesh, make_window(mesh, block(4, 0, 0, 4, 4))), 1, 1e-12);
 }
 
 // Random disks of a mesh with singularities: the words obey what the topology says.
