@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "adapt/workers.h"
+#include "parallel/workers.h"
 
 namespace alphamst::adapt {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 // Follows the faces and corners of all patches while commits renumber the mesh.
 class Numbers {
 public:
-    Numbers(const mesh::QuadMesh &mesh, const std::vector<Region> &patches)
+    Numbers(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches)
         : owner_(static_cast<std::size_t>(mesh.n_faces()), -1),
           vertex_(static_cast<std::size_t>(mesh.n_vertices())), start_(vertex_.size()) {
         std::iota(vertex_.begin(), vertex_.end(), 0);
@@ -21,8 +21,8 @@ public:
                 owner_[static_cast<std::size_t>(f)] = static_cast<int>(p);
     }
 
-    void follow(const mesh::QuadMesh &mesh, int patch, const Proposal &proposal,
-                const mesh::QuadMesh::Replaced &replaced, std::vector<Region> &patches) {
+    void follow(const mesh::QuadMesh &mesh, int patch, const refill::Proposal &proposal,
+                const mesh::QuadMesh::Replaced &replaced, std::vector<Patch> &patches) {
         const auto faces = static_cast<std::size_t>(mesh.n_faces());
         owner_.resize(std::max(owner_.size(), faces), -1);
         start_.resize(std::max(start_.size(), static_cast<std::size_t>(mesh.n_vertices())), -1);
@@ -61,8 +61,8 @@ private:
     std::vector<int> vertex_, start_; // [vertices at the start] now, and back
 };
 
-// The first patches in order that share no vertex with another of the batch.
-std::vector<std::size_t> independent(const mesh::QuadMesh &mesh, const std::vector<Region> &patches,
+// The first patches in order that target_count no vertex with another of the batch.
+std::vector<std::size_t> independent(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches,
                                      std::vector<std::size_t> &waiting) {
     std::vector<char> used(static_cast<std::size_t>(mesh.n_vertices()), 0);
     std::vector<std::size_t> batch, later;
@@ -83,16 +83,16 @@ std::vector<std::size_t> independent(const mesh::QuadMesh &mesh, const std::vect
 
 } // namespace
 
-std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, const Settings &settings,
+std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Patch> &patches, const Settings &settings,
                             const Progress &progress, const char *stage,
-                            const std::function<Goal(const Region &)> &goal) {
+                            const std::function<refill::Goal(const Patch &)> &goal) {
     std::vector<Outcome> outcomes(patches.size());
     std::vector<std::size_t> waiting(patches.size());
     std::iota(waiting.begin(), waiting.end(), std::size_t{0});
     Numbers numbers(mesh, patches);
-    const Workers workers(settings.threads);
-    const Ground ground = ground_of(mesh, patches);
-    mesh.surface = ground.surface;
+    const parallel::Workers workers(settings.threads);
+    const reference::Reference reference = reference::reference_of(mesh, patches);
+    mesh.surface = reference.surface;
     const std::size_t round = 8 * static_cast<std::size_t>(workers.count());
     std::size_t done = 0;
     while (!waiting.empty()) {
@@ -101,16 +101,16 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
         for (std::size_t first = 0; first < batch.size(); first += round) {
             progress(static_cast<double>(done) / static_cast<double>(patches.size()), stage);
             const std::size_t last = std::min(batch.size(), first + round);
-            std::vector<Proposal> proposals(last - first);
+            std::vector<refill::Proposal> proposals(last - first);
             auto propose_one = [&](std::size_t i, std::size_t) {
-                Region region = patches[batch[first + i]];
+                Patch region = patches[batch[first + i]];
                 for (int &corner : region.corners)
                     corner = numbers.vertex(corner);
-                proposals[i] = propose(mesh, region, goal(region), settings, ground);
+                proposals[i] = refill::propose(mesh, region, goal(region), settings, reference);
             };
             workers.run(proposals.size(), propose_one);
             for (std::size_t i = 0; i < proposals.size(); ++i, ++done) {
-                Proposal &proposal = proposals[i];
+                refill::Proposal &proposal = proposals[i];
                 const std::size_t p = batch[first + i];
                 outcomes[p] = proposal.outcome;
                 if (proposal.outcome.fault)
@@ -130,7 +130,7 @@ std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, 
         }
     }
     progress(1, stage);
-    for (Region &region : patches) {
+    for (Patch &region : patches) {
         std::sort(region.faces.begin(), region.faces.end());
         for (int &corner : region.corners)
             corner = numbers.vertex(corner);

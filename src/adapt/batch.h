@@ -1,15 +1,15 @@
-// Refills the patches of a set: those that share no vertex are proposed for in parallel, all are
+// Refills the patches of a set: those that target_count no vertex are proposed for in parallel, all are
 // committed in their order, so the result does not depend on the number of threads.
 #pragma once
 
 #include <functional>
 
-#include "adapt/propose.h"
+#include "refill/propose.h"
 
 namespace alphamst::adapt {
 
-std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Region> &patches, const Settings &settings,
+std::vector<Outcome> refill(mesh::QuadMesh &mesh, std::vector<Patch> &patches, const Settings &settings,
                             const Progress &progress, const char *stage,
-                            const std::function<Goal(const Region &)> &goal);
+                            const std::function<refill::Goal(const Patch &)> &goal);
 
 } // namespace alphamst::adapt

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <chrono>
 
-#include "adapt/propose.h"
-#include "adapt/tally.h"
 #include "geometry/embed.h"
 #include "patch/patches.h"
+#include "reference/statistics.h"
+#include "refill/propose.h"
 
 namespace alphamst::adapt {
 namespace {
@@ -42,17 +42,17 @@ bool merge_doublet(mesh::QuadMesh &mesh, int v) {
 bool refill_around(mesh::QuadMesh &mesh, int v, const Settings &settings) {
     const std::vector<char> none(static_cast<std::size_t>(mesh.n_faces()), 0);
     for (int rings = 1; rings <= 4; ++rings) {
-        Region region;
+        Patch region;
         region.faces = patch::repair(mesh, patch::rings(mesh, v, rings, none), none);
         if (region.faces.empty())
             continue;
-        Goal goal;
+        refill::Goal goal;
         goal.faces = static_cast<std::int64_t>(region.faces.size());
         goal.any_count = true;
         goal.forbid_old = true;
-        const Ground ground = ground_of(mesh, std::span(&region, 1));
-        mesh.surface = ground.surface;
-        const Proposal proposal = propose(mesh, region, goal, settings, ground);
+        const reference::Reference reference = reference::reference_of(mesh, std::span(&region, 1));
+        mesh.surface = reference.surface;
+        const refill::Proposal proposal = refill::propose(mesh, region, goal, settings, reference);
         if (proposal.outcome.fault ||
             bad_count(proposal.outcome.valences_after) >= bad_count(proposal.outcome.valences_before))
             continue;
@@ -65,7 +65,7 @@ bool refill_around(mesh::QuadMesh &mesh, int v, const Settings &settings) {
 double quality(const mesh::QuadMesh &mesh) {
     if (mesh.dim() != 2)
         return 0;
-    return geometry::judge(mesh.faces(), flatten(mesh, geometry::Plane::of_coordinates(false)))
+    return geometry::judge(mesh.faces(), reference::flatten(mesh, geometry::Plane::of_coordinates(false)))
         .min_scaled_jacobian;
 }
 
@@ -76,7 +76,7 @@ Outcome clean(mesh::QuadMesh &mesh, const Settings &settings, const Progress &pr
     Outcome outcome;
     outcome.faces_before = outcome.faces_wanted = mesh.n_faces();
     outcome.quality_before = quality(mesh);
-    count(mesh, outcome.valences_before, outcome.singular_before);
+    reference::count(mesh, outcome.valences_before, outcome.singular_before);
     // Each pass goes over all vertices; what one repair makes possible for another waits for the next.
     const std::int64_t first = std::max<std::int64_t>(1, bad_count(outcome.valences_before));
     for (std::int64_t left = bad_count(outcome.valences_before), before = left + 1;
@@ -88,13 +88,13 @@ Outcome clean(mesh::QuadMesh &mesh, const Settings &settings, const Progress &pr
                 refill_around(mesh, v, settings);
         std::map<int, std::int64_t> valences;
         std::int64_t singular = 0;
-        count(mesh, valences, singular);
+        reference::count(mesh, valences, singular);
         left = bad_count(valences);
     }
     progress(1, "clean");
     outcome.faces_after = mesh.n_faces();
     outcome.quality_after = quality(mesh);
-    count(mesh, outcome.valences_after, outcome.singular_after);
+    reference::count(mesh, outcome.valences_after, outcome.singular_after);
     outcome.singular_bound = 0;
     if (bad_count(outcome.valences_after) > 0) {
         outcome.fault = Fault::no_filling;

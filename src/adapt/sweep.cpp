@@ -8,19 +8,19 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "adapt/tally.h"
+#include "reference/statistics.h"
 
 namespace alphamst::adapt {
 namespace {
 
-constexpr int rim_layers = 2;
+constexpr int buffer_layers = 2;
 constexpr std::size_t most_windows = 64;   // in a round
 constexpr double crowding = 0.25;          // of the faces wanted in a window
 constexpr double even_enough = 0.15;       // as little as that is not worth spreading faces
 constexpr int most_elsewhere = 16;         // windows around regular vertices, for the count
 constexpr std::size_t most_for_count = 32; // windows that a pass for the count tries
-// Where hardly any window gets refilled, windows of a round may overlap: it seldom matters. Where as many
-// as one in so many does, they would stand in each other's way.
+// Where hardly any window gets refilled, windows of a round may geometry::overlap: it seldom matters. Where
+// as many as one in so many does, they would stand in each other's way.
 constexpr int seldom = 8;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -51,23 +51,25 @@ private:
 // Windows that are tried together. All arrays are [window].
 struct Sweep::Round {
     std::vector<int> seeds; // places in seeds_
-    std::vector<fill::Random> luck;
-    std::vector<Place> places;
-    std::vector<std::optional<Goal>> goals;
-    std::vector<std::optional<Trial>> trials;
+    std::vector<Random> luck;
+    std::vector<refill::Place> places;
+    std::vector<std::optional<refill::Goal>> goals;
+    std::vector<std::optional<refill::Trial>> trials;
 };
 
-Sweep::Sweep(mesh::QuadMesh &mesh, Ground &ground, std::vector<double> shares,
-             const std::optional<Density> &density, const Settings &settings)
-    : mesh_(mesh), ground_(ground), settings_(settings), shares_(std::move(shares)), density_(density),
-      wanted_(std::llround(std::accumulate(shares_.begin(), shares_.end(), 0.0))), workers_(settings.threads),
-      growths_(static_cast<std::size_t>(workers_.count()), patch::Growth(mesh)), random_(settings.seed),
-      singular_(static_cast<int>(irregular().size())) {}
+Sweep::Sweep(mesh::QuadMesh &mesh, reference::Reference &reference, std::vector<double> target_counts,
+             const std::optional<reference::SizingField> &density, const Settings &settings)
+    : mesh_(mesh), reference_(reference), settings_(settings), target_counts_(std::move(target_counts)),
+      sizing_(density),
+      wanted_(std::llround(std::accumulate(target_counts_.begin(), target_counts_.end(), 0.0))),
+      workers_(settings.threads), growths_(static_cast<std::size_t>(workers_.count()), patch::Growth(mesh)),
+      random_(settings.seed), singular_(static_cast<int>(irregular().size())) {}
 
 std::vector<int> Sweep::irregular() const {
     std::vector<int> vertices;
     for (int v = 0; v < mesh_.n_vertices(); ++v)
-        if (!mesh_.isolated(v) && (mesh_.on_boundary(v) ? mismatch(mesh_, v) != 0 : mesh_.singular(v)))
+        if (!mesh_.isolated(v) &&
+            (mesh_.on_boundary(v) ? reference::mismatch(mesh_, v) != 0 : mesh_.singular(v)))
             vertices.push_back(v);
     return vertices;
 }
@@ -92,7 +94,7 @@ int Sweep::partner(int vertex) const {
     return -1;
 }
 
-patch::GrowthPlan Sweep::plan_window(int vertex, int size, fill::Random random) const {
+patch::GrowthPlan Sweep::plan_window(int vertex, int size, Random random) const {
     patch::GrowthPlan plan;
     plan.start = vertex;
     plan.most = std::max(4, static_cast<int>(static_cast<std::uint64_t>(size) * (70 + random() % 60) / 100));
@@ -115,12 +117,12 @@ patch::GrowthPlan Sweep::plan_window(int vertex, int size, fill::Random random) 
     return plan;
 }
 
-std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &faces) const {
-    double share = 0;
+std::optional<refill::Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &faces) const {
+    double target_count = 0;
     for (const int f : faces)
-        share += shares_[at(f)];
+        target_count += target_counts_[at(f)];
     const auto now = static_cast<std::int64_t>(faces.size());
-    Goal goal;
+    refill::Goal goal;
     goal.any_count = true;
     goal.most_added = pass.most_added;
     if (pass.purpose == Purpose::mend) {
@@ -129,19 +131,20 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
         return goal;
     }
     if (pass.purpose == Purpose::collapse) {
-        const std::int64_t fewest = std::max<std::int64_t>({std::llround(collapse_to * share), now / 2, 1});
+        const std::int64_t fewest =
+            std::max<std::int64_t>({std::llround(collapse_to * target_count), now / 2, 1});
         if (static_cast<double>(now - fewest) < even_enough * static_cast<double>(now))
             return std::nullopt;
         goal.any_count = false;
         goal.collapse = true;
-        goal.most_added = Goal().most_added;
+        goal.most_added = refill::Goal().most_added;
         goal.faces = goal.fewest = goal.most = fewest;
         return goal;
     }
     if (pass.purpose != Purpose::fewer_singularities && pass.purpose != Purpose::wander &&
         pass.purpose != Purpose::turn) {
         const bool spread = pass.purpose == Purpose::spread;
-        const std::int64_t lacking = spread ? std::llround(share) - now : missing();
+        const std::int64_t lacking = spread ? std::llround(target_count) - now : missing();
         if (spread && static_cast<double>(std::abs(lacking)) < even_enough * static_cast<double>(now))
             return std::nullopt;
         const std::int64_t step = std::max<std::int64_t>(1, now / (spread ? 2 : 4));
@@ -162,19 +165,19 @@ std::optional<Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &fac
                        high = std::max<std::int64_t>(0, missing() + slack);
     goal.fewest = std::max({now / 2, now + low, std::int64_t{1}});
     goal.most = std::min(2 * now, now + high);
-    if (density_) { // nor may faces gather where they are not wanted
+    if (sizing_) { // nor may faces gather where they are not wanted
         goal.fewest = std::max<std::int64_t>(
-            goal.fewest, std::min<std::int64_t>(now, std::llround(share * (1 - crowding))));
-        goal.most =
-            std::max(goal.fewest,
-                     std::min(goal.most, std::max<std::int64_t>(now, std::llround(share * (1 + crowding)))));
+            goal.fewest, std::min<std::int64_t>(now, std::llround(target_count * (1 - crowding))));
+        goal.most = std::max(
+            goal.fewest,
+            std::min(goal.most, std::max<std::int64_t>(now, std::llround(target_count * (1 + crowding)))));
     }
-    goal.faces = std::clamp<std::int64_t>(std::llround(share), goal.fewest, goal.most);
+    goal.faces = std::clamp<std::int64_t>(std::llround(target_count), goal.fewest, goal.most);
     return goal;
 }
 
 // A commit brings the number of faces nearer to what is wanted, or leaves it within the slack.
-bool Sweep::welcome(const Pass &pass, const Trial &trial) const {
+bool Sweep::welcome(const Pass &pass, const refill::Trial &trial) const {
     if (trial.singular_change > std::max(0, most_singular_ - singular_))
         return false;
     const auto more = static_cast<std::int64_t>(trial.proposal.filling.quads.size()) -
@@ -209,12 +212,12 @@ void Sweep::grow_windows(const Pass &pass, Round &round) {
     round.goals.resize(round.seeds.size());
     workers_.run(round.seeds.size(), [&](std::size_t i, std::size_t worker) {
         patch::Growth &growth = growths_[worker];
-        Place &place = round.places[i];
+        refill::Place &place = round.places[i];
         place.faces = growth.disk(plan_window(seeds_[at(round.seeds[i])], pass.size, round.luck[i]));
         if (place.faces.empty())
             return;
-        const std::vector<int> all = growth.surround(place.faces, rim_layers);
-        place.rim.assign(all.begin() + static_cast<std::ptrdiff_t>(place.faces.size()), all.end());
+        const std::vector<int> all = growth.surround(place.faces, buffer_layers);
+        place.buffer.assign(all.begin() + static_cast<std::ptrdiff_t>(place.faces.size()), all.end());
         round.goals[i] = goal_of(pass, place.faces);
         if (round.goals[i])
             round.goals[i]->most_added =
@@ -222,13 +225,13 @@ void Sweep::grow_windows(const Pass &pass, Round &round) {
     });
 }
 
-// Marks the faces of a window and its rim as taken, unless one is already.
-bool Sweep::take(const Place &place) {
-    for (const auto *faces : {&place.faces, &place.rim})
+// Marks the faces of a window and its buffer as taken, unless one is already.
+bool Sweep::take(const refill::Place &place) {
+    for (const auto *faces : {&place.faces, &place.buffer})
         for (const int f : *faces)
             if (taken_[at(f)] == epoch_)
                 return false;
-    for (const auto *faces : {&place.faces, &place.rim})
+    for (const auto *faces : {&place.faces, &place.buffer})
         for (const int f : *faces)
             taken_[at(f)] = epoch_;
     return true;
@@ -257,58 +260,58 @@ void Sweep::choose_windows(const Pass &pass, Round &round) {
 }
 
 // Shares, seeds and their places go with what a commit renumbers.
-void Sweep::follow(const Trial &trial, const mesh::QuadMesh::Replaced &replaced) {
-    if (ground_.surface) {
-        std::vector<int> &anchors = ground_.anchors;
-        anchors.resize(std::max(anchors.size(), at(mesh_.n_vertices())));
+void Sweep::follow(const refill::Trial &trial, const mesh::QuadMesh::Replaced &replaced) {
+    if (reference_.surface) {
+        std::vector<int> &surface_triangles = reference_.surface_triangles;
+        surface_triangles.resize(std::max(surface_triangles.size(), at(mesh_.n_vertices())));
         for (std::size_t i = 0; i < replaced.vertices.size(); ++i)
-            anchors[at(replaced.vertices[i])] = trial.anchors[i];
+            surface_triangles[at(replaced.vertices[i])] = trial.surface_triangles[i];
         for (const auto &[from, to] : replaced.moved_vertices)
-            anchors[at(to)] = anchors[at(from)];
-        anchors.resize(at(mesh_.n_vertices()));
+            surface_triangles[at(to)] = surface_triangles[at(from)];
+        surface_triangles.resize(at(mesh_.n_vertices()));
     }
-    const Proposal &proposal = trial.proposal;
-    double share = 0;
+    const refill::Proposal &proposal = trial.proposal;
+    double target_count = 0;
     for (const int f : proposal.window.faces)
-        share += shares_[at(f)];
+        target_count += target_counts_[at(f)];
     for (const int v : proposal.window.interior)
         if (const int seed = place_[at(v)]; seed >= 0)
             seeds_[at(seed)] = -1;
-    shares_.resize(std::max(shares_.size(), at(mesh_.n_faces())));
+    target_counts_.resize(std::max(target_counts_.size(), at(mesh_.n_faces())));
     place_.resize(std::max(place_.size(), at(mesh_.n_vertices())), -1);
     for (const int v : proposal.window.interior)
         place_[at(v)] = -1;
     std::vector<double> weights(replaced.faces.size(), 1);
-    if (density_)
-        weights = density_->weights(mesh_, replaced.faces);
+    if (sizing_)
+        weights = sizing_->weights(mesh_, replaced.faces);
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     for (std::size_t i = 0; i < weights.size(); ++i)
-        shares_[at(replaced.faces[i])] = share * weights[i] / sum;
+        target_counts_[at(replaced.faces[i])] = target_count * weights[i] / sum;
     for (const auto &[from, to] : replaced.moved_faces)
-        shares_[at(to)] = shares_[at(from)];
+        target_counts_[at(to)] = target_counts_[at(from)];
     for (const auto &[from, to] : replaced.moved_vertices) {
         place_[at(to)] = place_[at(from)];
         if (place_[at(to)] >= 0)
             seeds_[at(place_[at(to)])] = to;
     }
-    shares_.resize(at(mesh_.n_faces()));
+    target_counts_.resize(at(mesh_.n_faces()));
     place_.resize(at(mesh_.n_vertices()));
 }
 
-// Samples of the surface go to the new faces and to the rim, both by their numbers before any others
+// Samples of the surface go to the new faces and to the buffer, both by their numbers before any others
 // are moved.
-void Sweep::cover(const Trial &trial, std::span<const int> old, std::span<const int> rim,
+void Sweep::cover(const refill::Trial &trial, std::span<const int> old, std::span<const int> buffer,
                   const mesh::QuadMesh::Replaced &replaced) {
-    Coverage &coverage = *ground_.coverage;
+    reference::SurfaceDistance &surface_distance = *reference_.surface_distance;
     std::vector<int> owners(replaced.faces), freed(old.begin(), old.end());
-    owners.insert(owners.end(), rim.begin(), rim.end());
+    owners.insert(owners.end(), buffer.begin(), buffer.end());
     if (!trial.moved.empty())
-        freed.insert(freed.end(), rim.begin(), rim.end());
-    coverage.resize(std::max(coverage.faces(), mesh_.n_faces()));
-    coverage.assign(freed, trial.owners, owners);
+        freed.insert(freed.end(), buffer.begin(), buffer.end());
+    surface_distance.resize(std::max(surface_distance.faces(), mesh_.n_faces()));
+    surface_distance.assign(freed, trial.owners, owners);
     for (const auto &[from, to] : replaced.moved_faces)
-        coverage.move(from, to);
-    coverage.resize(mesh_.n_faces());
+        surface_distance.move(from, to);
+    surface_distance.resize(mesh_.n_faces());
 }
 
 // In order; a window that overlaps one refilled before it waits for another round.
@@ -325,7 +328,7 @@ void Sweep::commit_round(const Pass &pass, Round &round) {
             later.push_back(round.seeds[i]);
             continue;
         }
-        Proposal &proposal = trial->proposal;
+        refill::Proposal &proposal = trial->proposal;
         for (int &f : proposal.window.faces)
             f = faces.now(f);
         for (auto *list : {&proposal.window.loop, &proposal.window.interior})
@@ -334,16 +337,16 @@ void Sweep::commit_round(const Pass &pass, Round &round) {
         for (std::size_t k = 0; k < trial->moved.size(); ++k) {
             const int v = vertices.now(trial->moved[k].first);
             mesh_.set_point(v, trial->moved[k].second);
-            if (ground_.surface)
-                ground_.anchors[at(v)] = trial->moved_anchors[k];
+            if (reference_.surface)
+                reference_.surface_triangles[at(v)] = trial->moved_surface_triangles[k];
         }
         const auto replaced = commit(mesh_, proposal);
         follow(*trial, replaced);
-        if (ground_.coverage) {
-            std::vector<int> rim = round.places[i].rim;
-            for (int &f : rim)
+        if (reference_.surface_distance) {
+            std::vector<int> buffer = round.places[i].buffer;
+            for (int &f : buffer)
                 f = faces.now(f);
-            cover(*trial, proposal.window.faces, rim, replaced);
+            cover(*trial, proposal.window.faces, buffer, replaced);
         }
         for (const int f : replaced.faces)
             faces.renew(f);
@@ -362,7 +365,7 @@ void Sweep::commit_round(const Pass &pass, Round &round) {
 // The first corners of faces whose scaled Jacobians are smaller.
 std::vector<int> Sweep::misshapen(double scaled_jacobian) const {
     std::vector<int> vertices;
-    const std::vector<double> quality = ground_.scaled_jacobians(mesh_);
+    const std::vector<double> quality = reference_.scaled_jacobians(mesh_);
     for (int f = 0; f < mesh_.n_faces(); ++f)
         if (quality[at(f)] < scaled_jacobian)
             vertices.push_back(mesh_.corners(f)[0]);
@@ -402,11 +405,11 @@ int Sweep::run(const Pass &pass, const std::function<void(double)> &between) {
         between(1 - static_cast<double>(waiting_.size()) / static_cast<double>(seeds_.size()));
         Round round = plan_round(pass);
         round.trials.resize(round.places.size());
-        for (const Place &place : round.places)
+        for (const refill::Place &place : round.places)
             effort_ += static_cast<std::int64_t>(place.faces.size());
         workers_.run(round.places.size(), [&](std::size_t i, std::size_t) {
             round.trials[i] =
-                attempt(mesh_, round.places[i], *round.goals[i], pass.shape, settings_, ground_);
+                refill::attempt(mesh_, round.places[i], *round.goals[i], pass.shape, settings_, reference_);
         });
         commit_round(pass, round);
     }

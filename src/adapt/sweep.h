@@ -7,11 +7,11 @@
 #include <limits>
 #include <vector>
 
-#include "adapt/density.h"
-#include "adapt/trial.h"
-#include "adapt/workers.h"
-#include "fill/random.h"
+#include "parallel/workers.h"
 #include "patch/grow.h"
+#include "random.h"
+#include "reference/sizing_field.h"
+#include "refill/trial.h"
 
 namespace alphamst::adapt {
 
@@ -25,22 +25,22 @@ enum class Purpose {
     mend,     // the worst shapes become better
 };
 
-// Faces, for each wanted one, that a collapse leaves: the windows that come then need room.
+// reference::FaceTree, for each wanted one, that a collapse leaves: the windows that come then need room.
 constexpr double collapse_to = 1.2;
 
 struct Pass {
     Purpose purpose = Purpose::fewer_singularities;
-    int size = 0;        // faces of a window, about
-    double slack = 0;    // part of the wanted faces by which a commit may miss them
-    int most_added = -1; // singularities a window may add
-    Shapeliness shape;   // to keep, or to reach where it was more
+    int size = 0;              // faces of a window, about
+    double slack = 0;          // part of the wanted faces by which a commit may miss them
+    int most_added = -1;       // singularities a window may add
+    refill::ShapeBounds shape; // to keep, or to reach where it was more
 };
 
 class Sweep {
 public:
-    // shares: how many of the wanted faces each face stands for.
-    Sweep(mesh::QuadMesh &mesh, Ground &ground, std::vector<double> shares,
-          const std::optional<Density> &density, const Settings &settings);
+    // target_counts: how many of the wanted faces each face stands for.
+    Sweep(mesh::QuadMesh &mesh, reference::Reference &reference, std::vector<double> target_counts,
+          const std::optional<reference::SizingField> &density, const Settings &settings);
 
     // No filling is taken that would leave more singular vertices than that.
     void limit(int most_singular) { most_singular_ = most_singular; }
@@ -69,26 +69,26 @@ private:
     Round plan_round(const Pass &pass);
     void grow_windows(const Pass &pass, Round &round);
     void choose_windows(const Pass &pass, Round &round);
-    patch::GrowthPlan plan_window(int vertex, int size, fill::Random random) const;
+    patch::GrowthPlan plan_window(int vertex, int size, Random random) const;
     int partner(int vertex) const;
-    bool take(const Place &place);
+    bool take(const refill::Place &place);
     std::vector<int> choose_seeds(const Pass &pass);
-    std::optional<Goal> goal_of(const Pass &pass, const std::vector<int> &faces) const;
-    bool welcome(const Pass &pass, const Trial &trial) const;
+    std::optional<refill::Goal> goal_of(const Pass &pass, const std::vector<int> &faces) const;
+    bool welcome(const Pass &pass, const refill::Trial &trial) const;
     void commit_round(const Pass &pass, Round &round);
-    void follow(const Trial &trial, const mesh::QuadMesh::Replaced &replaced);
-    void cover(const Trial &trial, std::span<const int> old, std::span<const int> rim,
+    void follow(const refill::Trial &trial, const mesh::QuadMesh::Replaced &replaced);
+    void cover(const refill::Trial &trial, std::span<const int> old, std::span<const int> buffer,
                const mesh::QuadMesh::Replaced &replaced);
 
     mesh::QuadMesh &mesh_;
-    Ground &ground_;
+    reference::Reference &reference_;
     const Settings settings_;
-    std::vector<double> shares_; // [face]
-    const std::optional<Density> &density_;
+    std::vector<double> target_counts_; // [face]
+    const std::optional<reference::SizingField> &sizing_;
     std::int64_t wanted_;
-    Workers workers_;
+    parallel::Workers workers_;
     std::vector<patch::Growth> growths_; // [worker]
-    fill::Random random_;
+    Random random_;
     int singular_ = 0, most_singular_ = std::numeric_limits<int>::max();
     std::vector<int> place_; // [vertex] in seeds_, -1 if none
     std::vector<int> seeds_; // vertices, -1 if gone

@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "adapt/begin.h"
-#include "adapt/propose.h"
-#include "adapt/rails.h"
-#include "adapt/stages.h"
-#include "adapt/tally.h"
+#include "adapt/chord_prepass.h"
+#include "adapt/schedule.h"
+#include "reference/feature_line.h"
+#include "reference/statistics.h"
+#include "refill/propose.h"
 
 namespace alphamst::adapt {
 namespace {
@@ -17,12 +17,12 @@ namespace {
 // Singular vertices that there may be on the way, for each at first, where a first try left more.
 constexpr double some_room = 1.5, no_room = 1;
 
-void describe(const mesh::QuadMesh &mesh, const Ground &ground, std::map<int, std::int64_t> &valences,
-              std::int64_t &singular, double &quality) {
+void describe(const mesh::QuadMesh &mesh, const reference::Reference &reference,
+              std::map<int, std::int64_t> &valences, std::int64_t &singular, double &quality) {
     valences.clear();
     singular = 0;
-    count(mesh, valences, singular);
-    const std::vector<double> each = ground.scaled_jacobians(mesh);
+    reference::count(mesh, valences, singular);
+    const std::vector<double> each = reference.scaled_jacobians(mesh);
     quality = *std::min_element(each.begin(), each.end());
 }
 
@@ -33,29 +33,31 @@ Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &s
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.faces_before = outcome.faces_after = mesh.n_faces();
-    outcome.faces_wanted = wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces()));
+    outcome.faces_wanted = refill::wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces()));
     if (mesh.n_faces() == 0)
         return outcome;
-    straighten(mesh);
-    describe(mesh, ground_of(mesh), outcome.valences_before, outcome.singular_before, outcome.quality_before);
+    reference::straighten(mesh);
+    describe(mesh, reference::reference_of(mesh), outcome.valences_before, outcome.singular_before,
+             outcome.quality_before);
     // Stages come more than once; what was told does not fall.
     const Progress tell = [&progress, told = 0.0](double fraction, const char *stage) mutable {
         told = std::max(told, fraction);
         progress(told, stage);
     };
-    std::optional<Crosses> crosses;
+    std::optional<reference::CrossField> cross_field;
     if (settings.align && mesh.surface)
-        crosses.emplace(mesh);
-    begin_with_chords(mesh, outcome.faces_wanted, settings, tell);
+        cross_field.emplace(mesh);
+    chord_prepass(mesh, outcome.faces_wanted, settings, tell);
 
     const auto attempt = [&](mesh::QuadMesh &tried, std::optional<double> room) {
-        Ground ground = ground_of(tried);
-        if (ground.surface)
-            ground.coverage = coverage_of(tried, *ground.surface, outcome.faces_wanted, settings.tolerance);
-        work_through(tried, ground, {outcome.faces_wanted, exact, room}, crosses, settings, tell);
+        reference::Reference reference = reference::reference_of(tried);
+        if (reference.surface)
+            reference.surface_distance = reference::surface_distance_of(
+                tried, *reference.surface, outcome.faces_wanted, settings.tolerance);
+        run_schedule(tried, reference, {outcome.faces_wanted, exact, room}, cross_field, settings, tell);
         Outcome result = outcome;
         result.faces_after = tried.n_faces();
-        describe(tried, ground, result.valences_after, result.singular_after, result.quality_after);
+        describe(tried, reference, result.valences_after, result.singular_after, result.quality_after);
         return result;
     };
     const auto missing = [&](const Outcome &of) {

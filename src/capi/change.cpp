@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "adapt/carry.h"
-#include "adapt/tally.h"
 #include "capi/guard.h"
+#include "reference/statistics.h"
+#include "transfer/carry.h"
 
 namespace alphamst::capi {
 namespace {
@@ -18,7 +18,7 @@ void tell(Context &context, double fraction, const char *stage) {
         throw Failure(Fault::cancelled, "the operation was cancelled");
 }
 
-Report::Row row_of(const adapt::Outcome &outcome, bool exact) {
+Report::Row row_of(const Outcome &outcome, bool exact) {
     Report::Row row;
     row.status = outcome.fault ? status_of(*outcome.fault)
                  : exact && outcome.faces_after != outcome.faces_wanted
@@ -76,11 +76,11 @@ Change::Change(const char *name, const amst_mesh &mesh, const amst_patches *patc
     copy_->reset_origins();
 }
 
-Report Change::report_of(const std::vector<adapt::Outcome> &outcomes, bool exact) const {
+Report Change::report_of(const std::vector<Outcome> &outcomes, bool exact) const {
     Report report;
     report.index_base = mesh_->context->index_base;
     bool first = true;
-    for (const adapt::Outcome &outcome : outcomes) {
+    for (const Outcome &outcome : outcomes) {
         Report::Row row = row_of(outcome, exact);
         include(report.all, row, first);
         first = false;
@@ -93,14 +93,14 @@ Report Change::report_of(const std::vector<adapt::Outcome> &outcomes, bool exact
 }
 
 void Change::describe_meshes(Report &report) const {
-    adapt::count(*mesh_->current, report.all.valences_before, report.all.singular_before);
-    adapt::count(*copy_, report.all.valences_after, report.all.singular_after);
+    reference::count(*mesh_->current, report.all.valences_before, report.all.singular_before);
+    reference::count(*copy_, report.all.valences_after, report.all.singular_after);
     report.vertices = {copy_->n_vertices(), copy_->vertex_origin};
     report.edges = {copy_->n_edges(), copy_->edge_origin};
     report.faces = {copy_->n_faces(), copy_->face_origin};
 }
 
-void Change::log(const std::vector<adapt::Outcome> &outcomes, const Report &report) const {
+void Change::log(const std::vector<Outcome> &outcomes, const Report &report) const {
     const Context &context = *mesh_->context;
     if (context.log == nullptr)
         return;
@@ -121,8 +121,8 @@ void Change::log(const std::vector<adapt::Outcome> &outcomes, const Report &repo
                            std::to_string(report.all.seconds) + " s");
 }
 
-amst_status Change::finish(const std::vector<adapt::Outcome> &outcomes, bool exact, amst_report **report) {
-    adapt::carry(*mesh_->current, *copy_, progress_);
+amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact, amst_report **report) {
+    transfer::carry(*mesh_->current, *copy_, progress_);
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
     if (report != nullptr)
         describe_meshes(made->impl);
@@ -136,7 +136,7 @@ amst_status Change::finish(const std::vector<adapt::Outcome> &outcomes, bool exa
 }
 
 void Change::commit() noexcept {
-    const bool changed = adapt::reconnected(*mesh_->current, *copy_);
+    const bool changed = transfer::reconnected(*mesh_->current, *copy_);
     mesh_->current = std::move(copy_);
     if (!changed)
         return;

@@ -18,13 +18,13 @@ public:
     Change(const char *name, const amst_mesh &mesh, const amst_patches *patches);
 
     mesh::QuadMesh &mesh() { return *copy_; }
-    std::vector<adapt::Region> &regions() { return regions_; }
+    std::vector<Patch> &regions() { return regions_; }
     int threads() const { return mesh_->context->threads; }
-    const adapt::Progress &progress() const { return progress_; }
+    const Progress &progress() const { return progress_; }
 
     // One outcome per patch, or one for the whole mesh; exact: a patch that has not the
     // wanted faces makes the result partial. Writes *report unless report is null.
-    amst_status finish(const std::vector<adapt::Outcome> &outcomes, bool exact, amst_report **report);
+    amst_status finish(const std::vector<Outcome> &outcomes, bool exact, amst_report **report);
 
 private:
     // Marks the context as busy for as long as it lives.
@@ -39,9 +39,9 @@ private:
         Context &context_;
     };
 
-    Report report_of(const std::vector<adapt::Outcome> &outcomes, bool exact) const;
+    Report report_of(const std::vector<Outcome> &outcomes, bool exact) const;
     void describe_meshes(Report &report) const;
-    void log(const std::vector<adapt::Outcome> &outcomes, const Report &report) const;
+    void log(const std::vector<Outcome> &outcomes, const Report &report) const;
     void commit() noexcept;
 
     const char *name_;
@@ -50,8 +50,8 @@ private:
     Busy busy_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::shared_ptr<mesh::QuadMesh> copy_;
-    std::vector<adapt::Region> regions_;
-    adapt::Progress progress_;
+    std::vector<Patch> regions_;
+    Progress progress_;
 };
 
 } // namespace alphamst::capi

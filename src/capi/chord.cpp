@@ -1,7 +1,6 @@
 // Chords: what they are, and operations on them.
 #include <string>
 
-#include "adapt/chord.h"
 #include "capi/array.h"
 #include "capi/change.h"
 #include "capi/guard.h"
@@ -9,6 +8,7 @@
 #include "capi/ids.h"
 #include "capi/limits.h"
 #include "chord/table.h"
+#include "chords/edit.h"
 
 namespace alphamst::capi {
 namespace {
@@ -109,8 +109,8 @@ amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_option
         const int index = edge_in(mesh, edge);
         const Options chosen = options_of(options);
         Change change("collapse_chord", *mesh, nullptr);
-        const adapt::Settings settings = settings_of(chosen, change.threads());
-        return change.finish({adapt::collapse_chord(change.mesh(), index, rules_of(chosen), settings)}, true,
+        const Settings settings = settings_of(chosen, change.threads());
+        return change.finish({chords::collapse_chord(change.mesh(), index, rules_of(chosen), settings)}, true,
                              report);
     });
 }
@@ -122,9 +122,9 @@ amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, std::int32_t n, cons
         require_count(n);
         const Options chosen = options_of(options);
         Change change("split_chord", *mesh, nullptr);
-        const adapt::Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = settings_of(chosen, change.threads());
         return change.finish(
-            {adapt::split_chord(change.mesh(), index, n, max_faces, rules_of(chosen), settings)}, true,
+            {chords::split_chord(change.mesh(), index, n, max_faces, rules_of(chosen), settings)}, true,
             report);
     });
 }
@@ -138,14 +138,14 @@ amst_status amst_insert_chords(amst_mesh *mesh, amst_patches *patches, std::int3
         const Options chosen = options_of(options);
         Change change("insert_chords", *mesh, patches);
         std::int64_t most = change.mesh().n_faces(); // a patch has no more boundary edges than 4 a face
-        for (const adapt::Region &region : change.regions())
+        for (const Patch &region : change.regions())
             most += 4 * static_cast<std::int64_t>(n) * static_cast<std::int64_t>(region.faces.size());
         if (most > max_faces)
             throw Failure(Fault::range, "n is " + std::to_string(n) +
                                             "; the mesh would have more faces than 32-bit ids can name");
-        const adapt::Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = settings_of(chosen, change.threads());
         return change.finish(
-            adapt::insert_chords(change.mesh(), change.regions(), n, settings, change.progress()), true,
+            chords::insert_chords(change.mesh(), change.regions(), n, settings, change.progress()), true,
             report);
     });
 }

@@ -8,29 +8,31 @@
 #include "capi/handles.h"
 #include "capi/limits.h"
 #include "capi/options.h"
+#include "draw/svg.h"
 #include "io/arrays.h"
-#include "io/svg.h"
-#include "mesh/quadrangulate.h"
+#include "io/scanner.h"
 #include "patch/window.h"
+#include "quadrangulate/quadrangulate.h"
 
 namespace alphamst::capi {
 namespace {
 
 // Without triangles.
-io::Arrays all_quad(io::Arrays arrays, mesh::Quadrangulation how) {
+io::Arrays all_quad(io::Arrays arrays, quadrangulate::Quadrangulation how) {
     if (!mesh::any_triangle(arrays.faces))
         return arrays;
     std::vector<std::array<std::int32_t, 2>> curves;
     for (const auto &[vertices, marker] : arrays.marked_edges)
         curves.push_back(vertices);
-    mesh::Quads quads = mesh::quadrangulate({arrays.points, arrays.faces, arrays.face_marker, curves}, how);
+    quadrangulate::QuadArrays quads =
+        quadrangulate::quadrangulate({arrays.points, arrays.faces, arrays.face_marker, curves}, how);
     io::Arrays result;
     result.dim = arrays.dim;
     if (!arrays.face_marker.empty())
         for (const std::int32_t face : quads.origin)
             result.face_marker.push_back(arrays.face_marker[static_cast<std::size_t>(face)]);
     for (const auto &[vertices, marker] : arrays.marked_edges)
-        for (const std::array<std::int32_t, 2> &piece : mesh::pieces(quads, vertices))
+        for (const std::array<std::int32_t, 2> &piece : quadrangulate::pieces(quads, vertices))
             result.marked_edges.push_back({piece, marker});
     result.points = std::move(quads.points);
     result.faces = std::move(quads.faces);
@@ -88,7 +90,7 @@ void append_outlines(std::vector<std::vector<std::int32_t>> &outlines, const mes
 }
 
 // The way of each chord through each face, where the edges it enters and leaves by have one number.
-void append_chords(std::vector<io::Line> &lines, const mesh::QuadMesh &mesh,
+void append_chords(std::vector<draw::Polyline> &lines, const mesh::QuadMesh &mesh,
                    const std::vector<double> &chords) {
     const std::size_t components = chords.size() / static_cast<std::size_t>(mesh.n_edges());
     for (int f = 0; f < mesh.n_faces(); ++f) {
@@ -104,7 +106,11 @@ void append_chords(std::vector<io::Line> &lines, const mesh::QuadMesh &mesh,
     }
 }
 
-bool is_picture(std::string_view path) { return path.ends_with(".svg") || path.ends_with(".SVG"); }
+bool is_picture(std::string_view path) {
+    constexpr std::string_view extension = ".svg";
+    return path.size() >= extension.size() &&
+           io::same_word(path.substr(path.size() - extension.size()), extension);
+}
 
 } // namespace
 } // namespace alphamst::capi
@@ -129,14 +135,14 @@ amst_status amst_mesh_write(const amst_mesh *mesh, const char *path) {
         const mesh::QuadMesh &current = *required(mesh, "mesh").impl->current;
         required(path, "path");
         const io::Arrays arrays = arrays_of(current);
-        const std::vector<double> *chords = current.field(Entity::edge, "chord");
-        if (chords == nullptr || !is_picture(path)) {
+        if (!is_picture(path)) {
             io::write(path, arrays);
             return;
         }
-        io::Picture picture = io::picture(arrays);
-        append_chords(picture.lines, current, *chords);
-        io::write_svg(path, picture);
+        draw::Picture picture = draw::picture(arrays);
+        if (const std::vector<double> *chords = current.field(Entity::edge, "chord"))
+            append_chords(picture.lines, current, *chords);
+        draw::write_svg(path, picture);
     });
 }
 
@@ -149,9 +155,9 @@ amst_status amst_patches_write(const amst_patches *patches, const char *path) {
             throw Failure(Fault::unsupported, "patches are written as a picture: the extension must be .svg");
         const mesh::QuadMesh &mesh = *set.mesh->current;
         const io::Arrays arrays = arrays_of(mesh);
-        io::Picture picture = io::picture(arrays);
-        for (const adapt::Region &region : set.regions)
+        draw::Picture picture = draw::picture(arrays);
+        for (const Patch &region : set.regions)
             append_outlines(picture.outlines, mesh, region.faces);
-        io::write_svg(path, picture);
+        draw::write_svg(path, picture);
     });
 }

@@ -1,5 +1,5 @@
-// What the handles point to. A handle owns a share of its object; children own a
-// share of their parent's, so that handles can be destroyed in any order.
+// What the handles point to. A handle owns a target_count of its object; children own a
+// target_count of their parent's, so that handles can be destroyed in any order.
 #pragma once
 
 #include <atomic>
@@ -43,12 +43,12 @@ struct Mesh {
     };
 
     std::shared_ptr<Context> context;
-    std::shared_ptr<mesh::QuadMesh> current; // a savepoint may share it
+    std::shared_ptr<mesh::QuadMesh> current; // a savepoint may target_count it
     std::int64_t revision = 0;
     std::int64_t last_revision = 0; // the largest ever given out
     std::vector<Savepoint> savepoints;
 
-    // The current mesh, to be changed in place: no savepoint shares it afterwards.
+    // The current mesh, to be changed in place: no savepoint target_counts it afterwards.
     mesh::QuadMesh &writable();
 };
 
@@ -56,7 +56,7 @@ struct Patches {
     std::shared_ptr<Mesh> mesh;
     std::int64_t revision = 0;
     Options options;
-    std::vector<adapt::Region> regions;
+    std::vector<Patch> regions;
 
     // Failure (stale) if the mesh has another revision.
     void require_current() const;

@@ -7,7 +7,7 @@
 #include "capi/handles.h"
 #include "capi/limits.h"
 #include "capi/options.h"
-#include "mesh/quadrangulate.h"
+#include "quadrangulate/quadrangulate.h"
 
 namespace alphamst::capi {
 namespace {
@@ -76,10 +76,10 @@ std::span<const std::int32_t> faces_of(const Strided<Id> &corners, int index_bas
 }
 
 mesh::QuadMesh build(int dim, std::span<const double> points, std::span<const std::int32_t> faces,
-                     mesh::Quadrangulation how) {
+                     quadrangulate::Quadrangulation how) {
     if (!mesh::any_triangle(faces))
         return mesh::QuadMesh::build(dim, points, faces);
-    const mesh::Quads quads = mesh::quadrangulate({points, faces, {}, {}}, how);
+    const quadrangulate::QuadArrays quads = quadrangulate::quadrangulate({points, faces, {}, {}}, how);
     return mesh::QuadMesh::build(dim, quads.points, quads.faces);
 }
 

@@ -1,8 +1,9 @@
-#include "adapt/chord.h"
 #include "capi/change.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/limits.h"
+#include "chords/edit.h"
+#include "smooth/smooth.h"
 
 using namespace alphamst;
 using namespace alphamst::capi;
@@ -16,11 +17,11 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
         require_real(alpha, 0, true, "alpha");
         const Options chosen = options_of(options);
         Change change("adapt", *mesh, patches);
-        const adapt::Settings settings = settings_of(chosen, change.threads());
-        std::vector<adapt::Outcome> outcomes;
+        const Settings settings = settings_of(chosen, change.threads());
+        std::vector<Outcome> outcomes;
         if (patches == nullptr && chosen.strategy == 1)
-            outcomes = {adapt::adapt_chords(change.mesh(), alpha, max_faces, rules_of(chosen), settings,
-                                            change.progress())};
+            outcomes = {chords::adapt_chords(change.mesh(), alpha, max_faces, rules_of(chosen), settings,
+                                             change.progress())};
         else if (patches == nullptr)
             outcomes = {adapt::adapt_whole(change.mesh(), alpha, settings, change.progress())};
         else
@@ -35,8 +36,8 @@ amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches, co
         required(mesh, "mesh");
         const Options chosen = options_of(options);
         Change change("reduce_singularities", *mesh, patches);
-        const adapt::Settings settings = settings_of(chosen, change.threads());
-        std::vector<adapt::Outcome> outcomes;
+        const Settings settings = settings_of(chosen, change.threads());
+        std::vector<Outcome> outcomes;
         if (patches == nullptr)
             outcomes = {adapt::reduce_whole(change.mesh(), settings, change.progress())};
         else
@@ -52,9 +53,9 @@ amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst
         required(mesh, "mesh");
         const Options chosen = options_of(options);
         Change change("smooth", *mesh, patches);
-        const adapt::Settings settings = settings_of(chosen, change.threads());
-        const std::vector<adapt::Region> *regions = patches == nullptr ? nullptr : &change.regions();
-        return change.finish(adapt::smooth(change.mesh(), regions, settings, change.progress()), false,
+        const Settings settings = settings_of(chosen, change.threads());
+        const std::vector<Patch> *regions = patches == nullptr ? nullptr : &change.regions();
+        return change.finish(smooth::smooth(change.mesh(), regions, settings, change.progress()), false,
                              report);
     });
 }
@@ -64,7 +65,7 @@ amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report
         required(mesh, "mesh");
         const Options chosen = options_of(options);
         Change change("clean", *mesh, nullptr);
-        const adapt::Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = settings_of(chosen, change.threads());
         return change.finish({adapt::clean(change.mesh(), settings, change.progress())}, false, report);
     });
 }

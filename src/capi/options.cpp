@@ -59,9 +59,9 @@ template <typename T> void set(Options &options, const Knob<T> &knob, T value) {
 
 Options options_of(const amst_options *options) { return options == nullptr ? Options() : options->impl; }
 
-mesh::Quadrangulation quadrangulation_of(const amst_options *options) {
-    return options_of(options).quadrangulate == 0 ? mesh::Quadrangulation::pair
-                                                  : mesh::Quadrangulation::split;
+quadrangulate::Quadrangulation quadrangulation_of(const amst_options *options) {
+    return options_of(options).quadrangulate == 0 ? quadrangulate::Quadrangulation::pair
+                                                  : quadrangulate::Quadrangulation::split;
 }
 
 chord::Rules rules_of(const Options &options) {
@@ -70,8 +70,8 @@ chord::Rules rules_of(const Options &options) {
     return rules;
 }
 
-adapt::Settings settings_of(const Options &options, int threads) {
-    adapt::Settings settings;
+Settings settings_of(const Options &options, int threads) {
+    Settings settings;
     settings.seed = static_cast<std::uint64_t>(options.seed);
     settings.smooth_steps = static_cast<int>(options.smooth_steps);
     settings.candidates = static_cast<int>(options.candidates);
@@ -80,7 +80,7 @@ adapt::Settings settings_of(const Options &options, int threads) {
     settings.tolerance = options.tolerance;
     settings.edit_boundary = options.edit_boundary != 0;
     settings.align = options.align != 0;
-    settings.chart = static_cast<adapt::ChartKind>(options.chart);
+    settings.chart = static_cast<ChartKind>(options.chart);
     settings.threads = threads;
     return settings;
 }

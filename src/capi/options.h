@@ -6,7 +6,7 @@
 #include "adapt/adapt.h"
 #include "alphamst/alphamst.h"
 #include "chord/judge.h"
-#include "mesh/quadrangulate.h"
+#include "quadrangulate/quadrangulate.h"
 
 namespace alphamst::capi {
 
@@ -30,10 +30,10 @@ struct Options {
 // Those of the handle, all defaults for NULL.
 Options options_of(const amst_options *options);
 
-mesh::Quadrangulation quadrangulation_of(const amst_options *options);
+quadrangulate::Quadrangulation quadrangulation_of(const amst_options *options);
 
 chord::Rules rules_of(const Options &options);
 
-adapt::Settings settings_of(const Options &options, int threads);
+Settings settings_of(const Options &options, int threads);
 
 } // namespace alphamst::capi

@@ -26,7 +26,7 @@ constexpr std::int32_t no_loop = patch::empty | patch::not_connected | patch::no
 
 struct Asked {
     const Patches &set;
-    const adapt::Region &region;
+    const Patch &region;
     int id;
     int base;
 
@@ -56,7 +56,7 @@ patch::Window window_of(const Asked &asked) {
     throw failure;
 }
 
-adapt::Prediction predict(const Asked &asked, double alpha, const adapt::Settings &settings) {
+Prediction predict(const Asked &asked, double alpha, const Settings &settings) {
     try {
         return adapt::predict(asked.mesh(), asked.region, alpha, settings);
     } catch (Failure &failure) {
@@ -79,7 +79,7 @@ bool usable_corners(const std::vector<int> &loop, const std::vector<int> &corner
 }
 
 // Those that were given; otherwise the vertices of the loop where one face fits.
-std::vector<int> corners_of(const adapt::Region &region, const patch::Window &window) {
+std::vector<int> corners_of(const Patch &region, const patch::Window &window) {
     if (!region.corners.empty())
         return region.corners;
     std::vector<int> corners;
@@ -169,8 +169,8 @@ amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, dou
     return guarded(index_base(patches), [&] {
         const Asked asked = ask(patches, patch);
         require_real(alpha, 0, true, "alpha");
-        const adapt::Settings settings = settings_of(options_of(options), asked.set.mesh->context->threads);
-        const adapt::Prediction prediction = predict(asked, alpha, settings);
+        const Settings settings = settings_of(options_of(options), asked.set.mesh->context->threads);
+        const Prediction prediction = predict(asked, alpha, settings);
         if (faces != nullptr)
             *faces = prediction.faces;
         if (singularities != nullptr)

@@ -30,7 +30,7 @@ std::vector<char> taken(const Patches &patches) {
     const std::size_t flagged = std::min(result.size(), mesh.face_flags.size());
     for (std::size_t f = 0; f < flagged; ++f)
         result[f] = (mesh.face_flags[f] & mesh::fixed) != 0;
-    for (const adapt::Region &region : patches.regions)
+    for (const Patch &region : patches.regions)
         for (const int face : region.faces)
             result[static_cast<std::size_t>(face)] = 1;
     return result;
@@ -200,7 +200,7 @@ amst_status amst_patches_set_alpha(amst_patches *patches, amst_id patch, double 
         Patches &set = changeable(patches);
         require_real(alpha, 0, false, "alpha");
         if (patch == AMST_ALL) {
-            for (adapt::Region &region : set.regions)
+            for (Patch &region : set.regions)
                 region.alpha = alpha;
             return;
         }

@@ -5,7 +5,7 @@
 
 #include "capi/guard.h"
 #include "capi/handles.h"
-#include "mesh/reference.h"
+#include "reference/surface_of.h"
 
 namespace alphamst::capi {
 namespace {
@@ -57,7 +57,7 @@ amst_status amst_mesh_set_surface(amst_mesh *mesh, const double *points, std::in
         target.context->require_idle();
         std::shared_ptr<const surface::Surface> made;
         if (points == nullptr) {
-            made = mesh::surface_of(*target.current);
+            made = reference::surface_of(*target.current);
         } else {
             require_array(points, n_points, "points", "n_points");
             require_array(triangles, n_triangles, "triangles", "n_triangles");

@@ -155,7 +155,7 @@ Collapse Judge::operator()(const Chord &chord) {
         test_fixed(mesh_, chord, result);
         const std::vector<Count> counts = gather(chord, result);
         for (std::size_t g = 0; g < result.groups.size(); ++g) {
-            settle(result.groups[g], counts[g], result);
+            accept_or_roll_back(result.groups[g], counts[g], result);
             test_surroundings(result.groups[g], result);
         }
     }
@@ -224,7 +224,7 @@ std::vector<Judge::Count> Judge::gather(const Chord &chord, Collapse &result) {
 }
 
 // Chooses the survivor; judges its valence and counts singular vertices.
-void Judge::settle(Group &group, const Count &count, Collapse &result) const {
+void Judge::accept_or_roll_back(Group &group, const Count &count, Collapse &result) const {
     test_curves(group, count, result);
     int valence = -4 * (count.edges - count.boundary_edges) - 3 * count.boundary_edges, boundary = 0;
     for (const int v : group.others) {

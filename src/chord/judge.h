@@ -84,7 +84,7 @@ private:
     void merge(const Chord &chord, Collapse &result);
     void glue(const Chord &chord, Collapse &result);
     std::vector<Count> gather(const Chord &chord, Collapse &result);
-    void settle(Group &group, const Count &count, Collapse &result) const;
+    void accept_or_roll_back(Group &group, const Count &count, Collapse &result) const;
     void test_curves(Group &group, const Count &count, Collapse &result) const;
     void test_surroundings(const Group &group, Collapse &result);
     void clear(const Chord &chord);

@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "fill/branch.h"
-#include "fill/random.h"
+#include "random.h"
 
 namespace alphamst::fill {
 namespace {
@@ -221,7 +221,7 @@ bool ExactFiller::Memory::build_parts(const Branch &branch, const std::vector<in
         for (const int position : part.vertices)
             part_ids.back().push_back(id(position));
     }
-    // One part at a time, every share of budget and faces that leaves the others solvable.
+    // One part at a time, every target_count of budget and faces that leaves the others solvable.
     std::function<bool(std::size_t, Budget, int)> place = [&](std::size_t i, Budget left, int remaining) {
         const Word &word = branch.parts[i].word;
         if (i + 1 == branch.parts.size())

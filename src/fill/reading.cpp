@@ -34,7 +34,7 @@ const std::vector<Reading> &Readings::up_to(int k) {
         }
     if (more)
         std::stable_sort(readings_.begin(), readings_.end(), [](const Reading &a, const Reading &b) {
-            return a.least != b.least ? a.least < b.least : a.misfit < b.misfit;
+            return a.least != b.least ? a.least < b.least : a.approximation_error < b.approximation_error;
         });
     return readings_;
 }
@@ -179,9 +179,9 @@ void Readings::add(const std::shared_ptr<const Front> &front, std::vector<int> c
     reading.natural =
         n == 4 ? 0.25 * (reading.sides[0] + reading.sides[2]) * (reading.sides[1] + reading.sides[3])
                : length * length / 16.0;
-    reading.misfit = std::abs(std::log(std::max(1.0, rest) / reading.natural));
+    reading.approximation_error = std::abs(std::log(std::max(1.0, rest) / reading.natural));
     if (n == 0)
-        reading.misfit = rest < 1.5 * length ? 10 : 0.2;
+        reading.approximation_error = rest < 1.5 * length ? 10 : 0.2;
     readings_.push_back(std::move(reading));
 }
 

@@ -8,7 +8,7 @@
 #include "fill/closed_form.h"
 #include "fill/front.h"
 #include "fill/plan.h"
-#include "fill/random.h"
+#include "random.h"
 
 namespace alphamst::fill {
 
@@ -16,10 +16,10 @@ struct Reading {
     std::shared_ptr<const Front> front;
     std::vector<int> corners; // front positions, ascending; empty: flat all round
     Sides sides;
-    int changed = 0;    // vertices that become singular (or cease to be) by this reading
-    int least = 0;      // changed + fewest singularities inside
-    double natural = 0; // faces of a square-like filling of the sides
-    double misfit = 0;  // |log| of wanted over natural face count
+    int changed = 0;                // vertices that become singular (or cease to be) by this reading
+    int least = 0;                  // changed + fewest singularities inside
+    double natural = 0;             // faces of a square-like filling of the sides
+    double approximation_error = 0; // |log| of wanted over natural face count
 };
 
 class Readings {
@@ -28,7 +28,8 @@ public:
 
     // Fewest singularities that any reading can have.
     int least() const;
-    // Readings with at most k singularities at best, fewest first, then by misfit; made as needed.
+    // Readings with at most k singularities at best, fewest first, then by approximation_error; made as
+    // needed.
     const std::vector<Reading> &up_to(int k);
 
 private:

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "fill/random.h"
+#include "random.h"
 
 namespace alphamst::fill {
 namespace {

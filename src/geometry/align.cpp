@@ -20,13 +20,13 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Corners of the square of this area around the middle of the quad, along the direction; of the four ways
 // to name them the one nearest to the corners of the quad.
-std::array<Vector3d, 4> square(const std::array<int, 4> &quad, const Drape &drape, const Vector3d &direction,
-                               double area) {
+std::array<Vector3d, 4> square(const std::array<int, 4> &quad, const SurfacePositions &on_surface,
+                               const Vector3d &direction, double area) {
     Vector3d middle = Vector3d::Zero();
     for (const int v : quad)
-        middle += drape.points[at(v)] / 4;
-    const Vector3d normal = (drape.points[at(quad[2])] - drape.points[at(quad[0])])
-                                .cross(drape.points[at(quad[3])] - drape.points[at(quad[1])])
+        middle += on_surface.points[at(v)] / 4;
+    const Vector3d normal = (on_surface.points[at(quad[2])] - on_surface.points[at(quad[0])])
+                                .cross(on_surface.points[at(quad[3])] - on_surface.points[at(quad[1])])
                                 .normalized();
     const Vector3d along = (direction - direction.dot(normal) * normal).normalized() * std::sqrt(area) / 2;
     const Vector3d across = normal.cross(along);
@@ -39,7 +39,7 @@ std::array<Vector3d, 4> square(const std::array<int, 4> &quad, const Drape &drap
         double sum = 0;
         for (std::size_t k = 0; k < 4; ++k) {
             turned[k] = corners[(k + turn) % 4];
-            sum += (turned[k] - drape.points[at(quad[k])]).squaredNorm();
+            sum += (turned[k] - on_surface.points[at(quad[k])]).squaredNorm();
         }
         if (sum < least) {
             least = sum;
@@ -49,20 +49,20 @@ std::array<Vector3d, 4> square(const std::array<int, 4> &quad, const Drape &drap
     return best;
 }
 
-double worst_around(const Stars &stars, Quads quads, const Drape &drape, int vertex) {
+double worst_around(const Stars &stars, Quads quads, const SurfacePositions &on_surface, int vertex) {
     double worst = 1;
     for (const Sector &s : stars.at(vertex))
-        worst = std::min(worst, scaled_jacobian(quads[at(s.quad)], drape));
+        worst = std::min(worst, scaled_jacobian(quads[at(s.quad)], on_surface));
     return worst;
 }
 
 // Where each vertex should be.
-std::vector<Vector3d> goals(Quads quads, const Drape &drape, std::span<const Vector3d> directions,
-                            std::span<const double> areas) {
-    std::vector<Vector3d> sum(drape.points.size(), Vector3d::Zero());
-    std::vector<double> count(drape.points.size(), 0);
+std::vector<Vector3d> goals(Quads quads, const SurfacePositions &on_surface,
+                            std::span<const Vector3d> directions, std::span<const double> areas) {
+    std::vector<Vector3d> sum(on_surface.points.size(), Vector3d::Zero());
+    std::vector<double> count(on_surface.points.size(), 0);
     for (std::size_t q = 0; q < quads.size(); ++q) {
-        const std::array<Vector3d, 4> corners = square(quads[q], drape, directions[q], areas[q]);
+        const std::array<Vector3d, 4> corners = square(quads[q], on_surface, directions[q], areas[q]);
         for (std::size_t k = 0; k < 4; ++k)
             if (corners[k].allFinite()) {
                 sum[at(quads[q][k])] += corners[k];
@@ -70,28 +70,30 @@ std::vector<Vector3d> goals(Quads quads, const Drape &drape, std::span<const Vec
             }
     }
     for (std::size_t v = 0; v < sum.size(); ++v)
-        sum[v] = count[v] > 0 ? Vector3d(sum[v] / count[v]) : drape.points[v];
+        sum[v] = count[v] > 0 ? Vector3d(sum[v] / count[v]) : on_surface.points[v];
     return sum;
 }
 
 } // namespace
 
 void align(const surface::Surface &surface, Quads quads, std::span<const char> fixed,
-           std::span<const Vector3d> directions, Drape &drape, const EmbedOptions &options) {
+           std::span<const Vector3d> directions, SurfacePositions &on_surface, const EmbedOptions &options) {
     std::vector<double> areas(options.area.begin(), options.area.end());
     if (areas.empty())
-        areas.assign(quads.size(), total_area(quads, drape) / static_cast<double>(quads.size()));
-    const Stars stars(quads, static_cast<int>(drape.points.size()));
+        areas.assign(quads.size(), total_area(quads, on_surface) / static_cast<double>(quads.size()));
+    const Stars stars(quads, static_cast<int>(on_surface.points.size()));
     for (int step = 0; step < options.steps; ++step) {
-        const std::vector<Vector3d> goal = goals(quads, drape, directions, areas);
-        for (int v = 0; v < static_cast<int>(drape.points.size()); ++v) {
+        const std::vector<Vector3d> goal = goals(quads, on_surface, directions, areas);
+        for (int v = 0; v < static_cast<int>(on_surface.points.size()); ++v) {
             if (fixed[at(v)] || stars.at(v).empty())
                 continue;
-            const surface::Spot old{drape.anchors[at(v)], drape.points[at(v)], drape.normals[at(v)], 0};
-            const double before = worst_around(stars, quads, drape, v);
-            drape.put(v, surface.follow(old.point + part * (goal[at(v)] - old.point), old.triangle));
-            if (const double now = worst_around(stars, quads, drape, v); now < careful && !(now >= before))
-                drape.put(v, old);
+            const surface::Spot old{on_surface.surface_triangles[at(v)], on_surface.points[at(v)],
+                                    on_surface.normals[at(v)], 0};
+            const double before = worst_around(stars, quads, on_surface, v);
+            on_surface.put(v, surface.follow(old.point + part * (goal[at(v)] - old.point), old.triangle));
+            if (const double now = worst_around(stars, quads, on_surface, v);
+                now < careful && !(now >= before))
+                on_surface.put(v, old);
         }
     }
 }

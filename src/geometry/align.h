@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "geometry/drape.h"
+#include "geometry/surface_positions.h"
 
 namespace alphamst::geometry {
 
@@ -14,6 +14,7 @@ namespace alphamst::geometry {
 // "Shape-up: shaping discrete geometry with projections"). No scaled Jacobian below 0.4 comes about or falls
 // by that. directions: [quad], not zero; options.steps sweeps.
 void align(const surface::Surface &surface, Quads quads, std::span<const char> fixed,
-           std::span<const Eigen::Vector3d> directions, Drape &drape, const EmbedOptions &options);
+           std::span<const Eigen::Vector3d> directions, SurfacePositions &on_surface,
+           const EmbedOptions &options);
 
 } // namespace alphamst::geometry

@@ -31,18 +31,18 @@ std::array<int, 2> far_apart(const Disk &disk) {
     return {first, farthest(first)};
 }
 
-// Positions as complex numbers: those of the free vertices are wanted, those of the pinned ones are given.
-// The sum over the triangles of | sum of w_j u_j |^2 / d, where w_j is the side opposite to corner j and d
-// twice the area, both in the plane of the triangle: 0 where every triangle keeps its angles.
+// Positions as complex numbers: those of the free vertices are wanted, those of the constrained ones are
+// given. The sum over the triangles of | sum of w_j u_j |^2 / d, where w_j is the side opposite to corner j
+// and d twice the area, both in the plane of the triangle: 0 where every triangle keeps its angles.
 class Equations {
 public:
-    Equations(const Disk &disk, const std::array<int, 2> &pinned) : pinned_(pinned) {
+    Equations(const Disk &disk, const std::array<int, 2> &constrained) : pinned_(constrained) {
         int free = 0;
         for (int v = 0; v < static_cast<int>(disk.points.size()); ++v)
-            index_.push_back(v == pinned[0] || v == pinned[1] ? -1 : free++);
+            index_.push_back(v == constrained[0] || v == constrained[1] ? -1 : free++);
         right_ = Eigen::VectorXcd::Zero(free);
         place_ = {Complex(0, 0),
-                  Complex((disk.points[at(pinned[1])] - disk.points[at(pinned[0])]).norm(), 0)};
+                  Complex((disk.points[at(constrained[1])] - disk.points[at(constrained[0])]).norm(), 0)};
         for (const auto &quad : disk.quads)
             for (std::size_t k = 0; k < 4; ++k)
                 add(corner_of(quad, k), disk);
@@ -88,7 +88,7 @@ private:
 
     std::array<int, 2> pinned_;
     std::array<Complex, 2> place_;
-    std::vector<int> index_; // unknown by vertex, -1 if pinned
+    std::vector<int> index_; // unknown by vertex, -1 if constrained
     Triplets entries_;
     Eigen::VectorXcd right_;
 };
@@ -96,10 +96,10 @@ private:
 } // namespace
 
 Points conformal(const Disk &disk) {
-    const std::array<int, 2> pinned = far_apart(disk);
-    if (pinned[0] == pinned[1])
+    const std::array<int, 2> constrained = far_apart(disk);
+    if (constrained[0] == constrained[1])
         return {};
-    Points positions = Equations(disk, pinned).solve();
+    Points positions = Equations(disk, constrained).solve();
     if (positions.empty())
         return positions;
     double area = 0, flat_area = 0;

@@ -49,12 +49,12 @@ ConvexMap::ConvexMap(const Disk &disk)
     }
 }
 
-void ConvexMap::weigh_down(std::span<const double> share) {
+void ConvexMap::weigh_down(std::span<const double> target_count) {
     for (std::size_t i = 0; i < edges_.size();) {
         double sum = 0;
         std::size_t end = i;
         for (; end < edges_.size() && edges_[end].from == edges_[i].from; ++end)
-            sum += edges_[end].weight /= share[at(edges_[end].to)];
+            sum += edges_[end].weight /= target_count[at(edges_[end].to)];
         for (; i < end; ++i)
             edges_[i].weight /= sum;
     }
@@ -106,10 +106,10 @@ Points low_stretch_on_circle(const Disk &disk) {
     for (int round = 0; round < most_rounds && !best.empty(); ++round) {
         // Along a line of vertices, dividing by the roots makes each edge longer by its stretch: what is
         // wanted. The stretches themselves do so twice, and with a boundary far from round that is too much.
-        std::vector<double> shares = vertex_stretch(disk, best);
-        for (double &share : shares)
-            share = std::sqrt(share);
-        map.weigh_down(shares);
+        std::vector<double> target_counts = vertex_stretch(disk, best);
+        for (double &target_count : target_counts)
+            target_count = std::sqrt(target_count);
+        map.weigh_down(target_counts);
         Points next = map.solve();
         const double stretched = next.empty() ? HUGE_VAL : stretch(disk, next);
         if (!(stretched < least))

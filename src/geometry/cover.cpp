@@ -20,13 +20,13 @@ Cover::Cover(Quads quads, const Stars &stars, std::span<const Sample> samples)
       of_quad_(quads.size()) {}
 
 // The quad as two triangles along its shorter diagonal.
-void Cover::measure(std::size_t sample, const Drape &drape) {
+void Cover::measure(std::size_t sample, const SurfacePositions &on_surface) {
     Sample &mine = samples_[sample];
     Place &place = places_[sample];
     double least = std::numeric_limits<double>::infinity();
     const auto look = [&](int q) {
         const std::array<int, 4> &quad = quads_[index(q)];
-        const auto corner = [&](std::size_t k) { return drape.points[index(quad[k])]; };
+        const auto corner = [&](std::size_t k) { return on_surface.points[index(quad[k])]; };
         const std::size_t first =
             (corner(2) - corner(0)).squaredNorm() <= (corner(3) - corner(1)).squaredNorm() ? 0 : 1;
         for (const std::size_t half : {std::size_t{0}, std::size_t{2}}) {
@@ -53,8 +53,8 @@ void Cover::measure(std::size_t sample, const Drape &drape) {
             look(sector.quad);
 }
 
-void Cover::measure(const Drape &drape, const Run &run) {
-    in_pieces(samples_.size(), run, [&](std::size_t s) { measure(s, drape); });
+void Cover::measure(const SurfacePositions &on_surface, const Run &run) {
+    in_pieces(samples_.size(), run, [&](std::size_t s) { measure(s, on_surface); });
     for (std::vector<int> &list : of_quad_)
         list.clear();
     for (std::size_t s = 0; s < samples_.size(); ++s)

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/drape.h"
 #include "geometry/star.h"
+#include "geometry/surface_positions.h"
 
 namespace alphamst::geometry {
 
@@ -29,7 +29,7 @@ public:
 
     // Where the quads are now. Samples go over to quads around theirs that are nearer. `run` as in
     // EmbedOptions.
-    void measure(const Drape &drape, const Run &run);
+    void measure(const SurfacePositions &on_surface, const Run &run);
 
     std::size_t size() const { return samples_.size(); }
     // The places on a quad, by number.
@@ -37,7 +37,7 @@ public:
     const Place &place(int i) const { return places_[static_cast<std::size_t>(i)]; }
 
 private:
-    void measure(std::size_t sample, const Drape &drape);
+    void measure(std::size_t sample, const SurfacePositions &on_surface);
 
     const Quads quads_;
     const Stars &stars_;

@@ -24,7 +24,7 @@ double enclosed_area(Loop loop) {
     return twice / 2;
 }
 
-// The faces at a vertex of the loop can share its interior angle only if each gets less
+// The faces at a vertex of the loop can target_count its interior angle only if each gets less
 // than 180 degrees.
 bool angles_suffice(const Stars &stars, Loop loop) {
     const std::size_t n = loop.size();

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/approximation_error.h"
 #include "geometry/barrier.h"
 #include "geometry/cover.h"
-#include "geometry/misfit.h"
 #include "geometry/star.h"
 
 namespace alphamst::geometry {
@@ -40,10 +40,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class Fitter {
 public:
     Fitter(const surface::Surface &surface, const Problem &problem, std::span<const Sample> samples,
-           Drape &drape, const EmbedOptions &options)
-        : surface_(surface), problem_(problem), drape_(drape), options_(options),
-          misfit_(surface, problem.quads, drape), cover_(problem.quads, problem.stars, samples),
-          axes_(drape.points.size(), Axes::Zero()), index_(drape.points.size(), -1) {
+           SurfacePositions &on_surface, const EmbedOptions &options)
+        : surface_(surface), problem_(problem), on_surface_(on_surface), options_(options),
+          misfit_(surface, problem.quads, on_surface), cover_(problem.quads, problem.stars, samples),
+          axes_(on_surface.points.size(), Axes::Zero()), index_(on_surface.points.size(), -1) {
         for (std::size_t v = 0; v < index_.size(); ++v)
             if (!problem.fixed[v] && !problem.stars.at(static_cast<int>(v)).empty()) {
                 index_[v] = 2 * static_cast<int>(free_.size());
@@ -57,9 +57,9 @@ public:
             return;
         for (int round = 0; round < rounds; ++round) {
             weight_ = (cover_.size() > 0 ? weight / 2 : weight) * std::min(1.0, first_part * (round + 1));
-            misfit_.measure(drape_, options_.run);
-            cover_.measure(drape_, options_.run);
-            quality_ = scaled_jacobians(problem_.quads, drape_);
+            misfit_.measure(on_surface_, options_.run);
+            cover_.measure(on_surface_, options_.run);
+            quality_ = scaled_jacobians(problem_.quads, on_surface_);
             assemble();
             step();
         }
@@ -71,7 +71,7 @@ private:
 
     // Two ways over the triangle below the vertex, at right angles.
     Axes axes_of(int v) const {
-        const Vector3d &normal = surface_.normal(drape_.anchors[at(v)]);
+        const Vector3d &normal = surface_.normal(on_surface_.surface_triangles[at(v)]);
         if (normal.isZero())
             return Axes::Zero();
         Axes axes;
@@ -108,7 +108,7 @@ private:
         const std::array<int, 4> &quad = problem_.quads[q];
         std::array<Vector3d, 4> p;
         for (std::size_t k = 0; k < 4; ++k)
-            p[k] = drape_.points[at(quad[k])];
+            p[k] = on_surface_.points[at(quad[k])];
         const Vector3d normal = (p[2] - p[0]).cross(p[3] - p[1]).normalized();
         if (!normal.allFinite() || normal.isZero())
             return;
@@ -151,8 +151,8 @@ private:
     void add_misfit(std::size_t q, Row &g, Rows &h) const {
         const double scale =
             2 * weight_ * misfit_.area(q) /
-            (misfit_.mean_area() * misfit_.mean_area() * static_cast<double>(Misfit::places));
-        for (const Misfit::Place &place : misfit_.at(q))
+            (misfit_.mean_area() * misfit_.mean_area() * static_cast<double>(ApproximationError::places));
+        for (const ApproximationError::Place &place : misfit_.at(q))
             add_distance(q, scale, place, g, h);
     }
 
@@ -202,14 +202,14 @@ private:
         const Eigen::VectorXd way = solver.solve(-gradient_);
         if (!way.allFinite())
             return;
-        const Drape start = drape_;
+        const SurfacePositions start = on_surface_;
         const double most = longest * std::sqrt(misfit_.mean_area());
         for (std::size_t i = 0; i < free_.size(); ++i) {
             const auto v = at(free_[i]);
             Vector3d move = axes_[v] * way.segment<2>(2 * static_cast<Eigen::Index>(i));
             if (const double length = move.norm(); length > most)
                 move *= most / length;
-            drape_.put(free_[i], surface_.follow(start.points[v] + move, start.anchors[v]));
+            on_surface_.put(free_[i], surface_.follow(start.points[v] + move, start.surface_triangles[v]));
         }
         int round = 0;
         for (std::vector<char> back = spoiled(0); !back.empty(); back = spoiled(round)) {
@@ -223,8 +223,8 @@ private:
     // 1 for the vertices of quads that got worse and, after some rounds, of those around them; empty if there
     // are none.
     std::vector<char> spoiled(int round) const {
-        const std::vector<double> now = scaled_jacobians(problem_.quads, drape_);
-        std::vector<char> back(drape_.points.size(), 0);
+        const std::vector<double> now = scaled_jacobians(problem_.quads, on_surface_);
+        std::vector<char> back(on_surface_.points.size(), 0);
         bool any = false;
         for (std::size_t q = 0; q < now.size(); ++q)
             if (now[q] < std::min(quality_[q], careful)) {
@@ -244,19 +244,20 @@ private:
         return back;
     }
 
-    void take_back(int v, const Drape &start, bool half) {
+    void take_back(int v, const SurfacePositions &start, bool half) {
         const auto i = at(v);
         if (half)
-            drape_.put(v, surface_.follow((start.points[i] + drape_.points[i]) / 2, start.anchors[i]));
+            on_surface_.put(v, surface_.follow((start.points[i] + on_surface_.points[i]) / 2,
+                                               start.surface_triangles[i]));
         else
-            drape_.put(v, {start.anchors[i], start.points[i], start.normals[i], 0});
+            on_surface_.put(v, {start.surface_triangles[i], start.points[i], start.normals[i], 0});
     }
 
     const surface::Surface &surface_;
     const Problem &problem_;
-    Drape &drape_;
+    SurfacePositions &on_surface_;
     const EmbedOptions &options_;
-    Misfit misfit_;
+    ApproximationError misfit_;
     Cover cover_;
     double weight_ = 0;           // in this round
     std::vector<double> quality_; // [quad] scaled Jacobian before the step
@@ -270,16 +271,16 @@ private:
 
 } // namespace
 
-void fit(const surface::Surface &surface, Quads quads, std::span<const char> fixed, Drape &drape,
-         const EmbedOptions &options, std::span<const Sample> samples) {
-    const double area = total_area(quads, drape);
+void fit(const surface::Surface &surface, Quads quads, std::span<const char> fixed,
+         SurfacePositions &on_surface, const EmbedOptions &options, std::span<const Sample> samples) {
+    const double area = total_area(quads, on_surface);
     if (!(area > 0) || !std::isfinite(area))
         return;
     std::vector<double> wanted(options.area.begin(), options.area.end());
     wanted.resize(quads.size(), area / static_cast<double>(quads.size()));
-    const Stars stars(quads, static_cast<int>(drape.points.size()));
+    const Stars stars(quads, static_cast<int>(on_surface.points.size()));
     const Problem problem{quads, stars, fixed, wanted};
-    Fitter(surface, problem, samples, drape, options).run();
+    Fitter(surface, problem, samples, on_surface, options).run();
 }
 
 } // namespace alphamst::geometry

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "geometry/cover.h"
-#include "geometry/drape.h"
+#include "geometry/surface_positions.h"
 
 namespace alphamst::geometry {
 
@@ -13,7 +13,7 @@ namespace alphamst::geometry {
 // wanted area (options.area; else all equal): vertices come to ridges, edges turn along curvature and quads
 // get longer where it bends less. No scaled Jacobian below 0.32 comes about or falls by that. O(quads) a
 // step.
-void fit(const surface::Surface &surface, Quads quads, std::span<const char> fixed, Drape &drape,
-         const EmbedOptions &options, std::span<const Sample> samples = {});
+void fit(const surface::Surface &surface, Quads quads, std::span<const char> fixed,
+         SurfacePositions &on_surface, const EmbedOptions &options, std::span<const Sample> samples = {});
 
 } // namespace alphamst::geometry

@@ -132,7 +132,7 @@ void open_squeezed(const Problem &problem, Points &points, Floor floor) {
     if (squeezed.empty() || !(before > 0))
         return;
     Points other = points;
-    const Region region(problem, squeezed, 3);
+    const FreeRegion region(problem, squeezed, 3);
     if (region.vertices.size() > most_together)
         return;
     int iterations = 8;

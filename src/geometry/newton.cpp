@@ -21,7 +21,7 @@ double determinant(const Eigen::Vector4d &e) { return e[0] * e[3] - e[1] * e[2];
 // Newton's method on the vertices of a region, the corner Hessians projected.
 class RegionNewton {
 public:
-    RegionNewton(const Problem &problem, const Region &region)
+    RegionNewton(const Problem &problem, const FreeRegion &region)
         : problem_(problem), region_(region), index_(region.member.size(), -1),
           gradient_(2 * static_cast<Eigen::Index>(region.vertices.size())) {
         for (std::size_t i = 0; i < region.vertices.size(); ++i)
@@ -111,7 +111,7 @@ private:
     }
 
     const Problem &problem_;
-    const Region &region_;
+    const FreeRegion &region_;
     std::vector<int> index_; // first unknown by vertex, -1 if it stays
     Eigen::VectorXd gradient_;
     std::vector<Eigen::Triplet<double>> triplets_;
@@ -130,7 +130,7 @@ double chi(double d, double epsilon) {
 
 } // namespace
 
-Region::Region(const Problem &problem, std::span<const int> seeds, int layers)
+FreeRegion::FreeRegion(const Problem &problem, std::span<const int> seeds, int layers)
     : member(static_cast<std::size_t>(problem.stars.vertices()), 0) {
     for (const int q : seeds)
         for (const int v : problem.quads[static_cast<std::size_t>(q)])
@@ -141,7 +141,7 @@ Region::Region(const Problem &problem, std::span<const int> seeds, int layers)
     extend(problem, layers);
 }
 
-void Region::extend(const Problem &problem, int layers) {
+void FreeRegion::extend(const Problem &problem, int layers) {
     grow(problem.stars, problem.fixed, layers, vertices, member);
     quads.clear();
     for (const int v : vertices)
@@ -161,7 +161,8 @@ double worst_determinant(const Problem &problem, std::span<const int> quads, con
     return worst;
 }
 
-bool newton(const Problem &problem, const Region &region, Points &points, int &iterations, double margin) {
+bool newton(const Problem &problem, const FreeRegion &region, Points &points, int &iterations,
+            double margin) {
     if (region.vertices.empty())
         return worst_determinant(problem, region.quads, points) > margin;
     RegionNewton solver(problem, region);

@@ -9,12 +9,12 @@
 namespace alphamst::geometry {
 
 // Free vertices to move and the quads that feel it.
-struct Region {
+struct FreeRegion {
     std::vector<int> vertices, quads;
     std::vector<char> member; // [vertex of the disk]
 
     // The free vertices of some quads and of `layers` of faces around them.
-    Region(const Problem &problem, std::span<const int> seeds, int layers);
+    FreeRegion(const Problem &problem, std::span<const int> seeds, int layers);
     void extend(const Problem &problem, int layers);
 };
 
@@ -26,6 +26,6 @@ double worst_determinant(const Problem &problem, std::span<const int> quads, con
 // over the wanted area, exceeds `margin`. True if it got there. Gives up once epsilon has
 // fallen far below the determinant of a corner that stays negative. `iterations` is the most
 // it may make and is lowered by those made.
-bool newton(const Problem &problem, const Region &region, Points &points, int &iterations, double margin);
+bool newton(const Problem &problem, const FreeRegion &region, Points &points, int &iterations, double margin);
 
 } // namespace alphamst::geometry

@@ -28,7 +28,8 @@ Points mean_value_on_circle(const Disk &disk);
 Points low_stretch_on_circle(const Disk &disk);
 
 // Least squares conformal map (Levy, Petitjean, Ray, Maillot 2002): angles are kept as well as can be, the
-// loop goes where it wants. Two vertices of it that are far apart are pinned. As large as the disk in space.
+// loop goes where it wants. Two vertices of it that are far apart are constrained. As large as the disk in
+// space.
 Points conformal(const Disk &disk);
 
 // Every corner of every quad turns left, and the loop does not meet itself: nothing lies on anything else.

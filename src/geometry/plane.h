@@ -13,7 +13,7 @@ public:
     // `orientation` as they allow.
     static Plane fit(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d &orientation);
 
-    // The plane z = 0 with its own coordinates, or seen from below, y turned over: for meshes of two
+    // The plane z = 0 with its own coordinates, or seen from below, y inverted: for meshes of two
     // coordinates, whose faces may all run clockwise.
     static Plane of_coordinates(bool from_below);
 

@@ -5,9 +5,9 @@
 namespace alphamst::geometry {
 
 void unfold(std::span<const Sector> star, std::span<const Eigen::Vector3d> points, int vertex,
-            const Rail &rail, std::vector<Sector> &sectors, Points &flat) {
+            const FeatureLine &feature_line, std::vector<Sector> &sectors, Points &flat) {
     const auto at = [&](int v) -> const Eigen::Vector3d & { return points[static_cast<std::size_t>(v)]; };
-    const auto [behind, ahead] = rail.between;
+    const auto [behind, ahead] = feature_line.between;
     const Eigen::Vector3d along = (at(ahead) - at(behind)).normalized();
     sectors.clear();
     flat.assign(1, Eigen::Vector2d::Zero());

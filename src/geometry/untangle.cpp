@@ -44,7 +44,7 @@ bool hopeless(const Problem &problem, std::span<const int> quads, const Points &
 bool sweep_vertices(const Problem &problem, std::span<const int> bad, Points &points, int sweeps) {
     constexpr int more_layers = 3;
     int layers = more_layers, without_gain = 0;
-    Region region(problem, bad, layers);
+    FreeRegion region(problem, bad, layers);
     Barrier barrier{.area = problem.area};
     double best = -std::numeric_limits<double>::infinity();
     for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -60,7 +60,7 @@ bool sweep_vertices(const Problem &problem, std::span<const int> bad, Points &po
             std::erase_if(region.quads, [&](int q) {
                 return worst_determinant(problem, {&q, 1}, points) > positive;
             });
-            region = Region(problem, region.quads, layers += more_layers);
+            region = FreeRegion(problem, region.quads, layers += more_layers);
             if (without_gain >= 12 || region.vertices.size() == before)
                 return false;
         }
@@ -105,7 +105,7 @@ bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t
     while (layers < 64 && 2 * layers * layers < static_cast<int>(bad.size()))
         layers *= 2;
     for (; layers <= most_layers && !bad.empty(); layers *= 2) {
-        const Region region(problem, bad, layers);
+        const FreeRegion region(problem, bad, layers);
         const auto size = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(region.vertices.size()));
         const int most = static_cast<int>(std::min<std::ptrdiff_t>(std::min(sweeps, 60), effort / size));
         const int worst = bad.front();

@@ -9,7 +9,6 @@
 #include "io/formats.h"
 #include "io/number.h"
 #include "io/scanner.h"
-#include "io/svg.h"
 
 namespace alphamst::io {
 namespace {
@@ -67,11 +66,6 @@ Arrays read(const std::string &path) {
 }
 
 void write(const std::string &path, const Arrays &mesh) {
-    if (same_word(extension(path), ".svg")) {
-        check(mesh);
-        write_svg(path, picture(mesh));
-        return;
-    }
     const Format &format = find(path, true, ".off, .obj, .ply, .msh, .vtk, .svg");
     check(mesh);
     save(path, format.print(mesh));

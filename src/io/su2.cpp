@@ -3,7 +3,7 @@
 // on lines of their own. The k-th marker is the number k of its edges, its tag being a
 // name. Points and elements are numbered by their order from 0, as SU2 itself does;
 // numbers at the ends of their lines are passed over, and so are keywords that are not
-// of the mesh, with what follows them. In the plane clockwise elements are turned over.
+// of the mesh, with what follows them. In the plane clockwise elements are inverted.
 #include <algorithm>
 #include <optional>
 #include <utility>

@@ -33,7 +33,7 @@ void check_halfedges(const Kernel &kernel) {
         if (kernel.prev_halfedge_handle(next) != h || kernel.next_halfedge_handle(previous) != h)
             fault("edge {} and the one behind it disagree about their order");
         if (kernel.from_vertex_handle(next) != to)
-            fault("edge {} and the one behind it do not share a vertex");
+            fault("edge {} and the one behind it do not target_count a vertex");
         if (kernel.face_handle(next) != kernel.face_handle(h))
             fault("edge {} and the one behind it are not at the same face");
         if (kernel.is_boundary(h) && kernel.is_boundary(opposite))

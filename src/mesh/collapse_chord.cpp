@@ -152,7 +152,7 @@ std::vector<Out> find_outs(const Kernel &kernel, std::span<const std::array<int,
 }
 
 // Gives each vertex that stays a half-edge that stays, one on the boundary if there is any.
-void anchor(Kernel &kernel, const std::vector<Out> &outs, const std::vector<int> &gone_edges) {
+void surface_triangle(Kernel &kernel, const std::vector<Out> &outs, const std::vector<int> &gone_edges) {
     for (const Out &out : outs)
         if (!contains(gone_edges, out.halfedge.idx() / 2))
             kernel.set_halfedge_handle(Vertex(out.survivor), out.halfedge);
@@ -199,7 +199,7 @@ QuadMesh::Collapsed QuadMesh::collapse_chord(std::span<const int> sides,
             if (!edge_marker.empty() && edge_marker[k] == 0)
                 edge_marker[k] = edge_marker[l];
         }
-    anchor(kernel_, outs, gone.edges);
+    surface_triangle(kernel_, outs, gone.edges);
     close_gaps(new_faces, new_edges, new_vertices);
     result.moved_faces = std::move(new_faces.moves);
     result.moved_edges = std::move(new_edges.moves);

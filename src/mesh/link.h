@@ -1,4 +1,4 @@
-// The two loops over half-edges that building, replacing and checking share.
+// The two loops over half-edges that building, replacing and checking target_count.
 #pragma once
 
 #include <array>

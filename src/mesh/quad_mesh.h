@@ -76,7 +76,7 @@ public:
     std::vector<std::int32_t> edge_marker, face_marker;             // 0: none; empty: all none
 
     // Not in the checksum. While origins say that something has changed, the values are still those of
-    // the mesh before: adapt::carry brings them along, once for an operation.
+    // the mesh before: transfer::carry brings them along, once for an operation.
     Fields fields;
     // Values [entities][components] of a field, null if there is none of that name.
     const std::vector<double> *field(Entity entity, std::string_view name) const noexcept {
@@ -85,9 +85,9 @@ public:
     }
 
     // What the vertices keep to while they move, shared by copies; not in the checksum. Null: as
-    // surface_of, see mesh/reference.h, makes it when the first operation on a curved mesh begins.
+    // reference::surface_of, see mesh/reference.h, makes it when the first operation on a curved mesh begins.
     std::shared_ptr<const surface::Surface> surface;
-    // What vertices on features slide along, likewise. Brought up to date, see curves_of in
+    // What vertices on features slide along, likewise. Brought up to date, see reference::curves_of in
     // mesh/reference.h, when an operation begins that lets them.
     std::shared_ptr<const surface::Curves> curves;
 

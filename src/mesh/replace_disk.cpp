@@ -1,5 +1,5 @@
 // Surgery in three steps: look at the disk and at the new quads, refuse what does not
-// fit; settle every id and allocate; write. Only the last step changes the mesh, and
+// fit; accept_or_roll_back every id and allocate; write. Only the last step changes the mesh, and
 // nothing in it can throw.
 #include <algorithm>
 #include <cmath>

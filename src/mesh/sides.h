@@ -1,4 +1,4 @@
-// What building and quadrangulating share: the tests of points and faces, and the sides of
+// What building and quadrangulating target_count: the tests of points and faces, and the sides of
 // faces paired into edges.
 #pragma once
 

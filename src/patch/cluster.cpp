@@ -18,7 +18,7 @@ struct Centre {
 // Group of every node: floods from all centres at once, the node nearest to its centre
 // first (Cohen-Steiner, Alliez and Desbrun 2004), so that groups are connected and, where
 // the mesh is flat, nearly Voronoi cells. Measured in faces rather than in lengths.
-std::vector<std::size_t> flood(const Dual &dual, const std::vector<Centre> &centres) {
+std::vector<std::size_t> flood(const FaceDual &dual, const std::vector<Centre> &centres) {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     using Step = std::tuple<double, std::size_t, std::size_t>; // distance, node, group
     std::priority_queue<Step, std::vector<Step>, std::greater<>> front;
@@ -42,7 +42,7 @@ std::vector<std::size_t> flood(const Dual &dual, const std::vector<Centre> &cent
 }
 
 // In each group the node nearest to the mean of its centroids.
-std::vector<Centre> recentre(const Dual &dual, const std::vector<std::size_t> &group, std::size_t n) {
+std::vector<Centre> recentre(const FaceDual &dual, const std::vector<std::size_t> &group, std::size_t n) {
     std::vector<Centre> centres(n);
     std::vector<double> count(n, 0), links(n, 0), lengths(n, 0);
     for (std::size_t i = 0; i < dual.size(); ++i) {
@@ -72,7 +72,7 @@ std::vector<Centre> recentre(const Dual &dual, const std::vector<std::size_t> &g
 
 } // namespace
 
-std::vector<std::size_t> lloyd(const Dual &dual, std::size_t n, std::uint64_t seed) {
+std::vector<std::size_t> lloyd(const FaceDual &dual, std::size_t n, std::uint64_t seed) {
     constexpr int rounds = 20;
     std::mt19937_64 random(seed);
     // A part of a Fisher-Yates shuffle; the distributions of the standard library differ
@@ -102,7 +102,7 @@ std::vector<std::size_t> lloyd(const Dual &dual, std::size_t n, std::uint64_t se
 
 Groups clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken) {
     return decompose(mesh, size, taken,
-                     [&](const Dual &dual, std::size_t n) { return lloyd(dual, n, seed); });
+                     [&](const FaceDual &dual, std::size_t n) { return lloyd(dual, n, seed); });
 }
 
 } // namespace alphamst::patch

@@ -8,14 +8,14 @@
 namespace alphamst::patch {
 namespace {
 
-std::size_t n_groups(const Dual &dual, double size) {
+std::size_t n_groups(const FaceDual &dual, double size) {
     const double wanted = std::round(static_cast<double>(dual.size()) / std::max(size, 1.0));
     return static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(dual.size())));
 }
 
 } // namespace
 
-Dual::Dual(const mesh::QuadMesh &mesh, std::vector<int> part) : faces(std::move(part)), start{0} {
+FaceDual::FaceDual(const mesh::QuadMesh &mesh, std::vector<int> part) : faces(std::move(part)), start{0} {
     centroids.reserve(faces.size());
     for (const int face : faces) {
         for (const Halfedge h : halfedges_of(mesh, face)) {
@@ -29,12 +29,12 @@ Dual::Dual(const mesh::QuadMesh &mesh, std::vector<int> part) : faces(std::move(
     }
 }
 
-std::vector<Dual> duals(const mesh::QuadMesh &mesh, Taken taken) {
+std::vector<FaceDual> duals(const mesh::QuadMesh &mesh, Taken taken) {
     std::vector<int> free;
     for (int face = 0; face < mesh.n_faces(); ++face)
         if (taken.empty() || !taken[static_cast<std::size_t>(face)])
             free.push_back(face);
-    std::vector<Dual> result;
+    std::vector<FaceDual> result;
     for (auto &part : parts(mesh, free, false))
         result.emplace_back(mesh, std::move(part));
     return result;
@@ -62,7 +62,7 @@ Groups disks(const mesh::QuadMesh &mesh, const Groups &groups, Taken taken) {
 
 Groups decompose(const mesh::QuadMesh &mesh, double size, Taken taken, const Divide &divide) {
     Groups groups;
-    for (const Dual &dual : duals(mesh, taken)) {
+    for (const FaceDual &dual : duals(mesh, taken)) {
         const std::size_t n = n_groups(dual, size), first = groups.size();
         const std::vector<std::size_t> group = divide(dual, n);
         groups.resize(first + n);

@@ -15,8 +15,8 @@ namespace alphamst::patch {
 
 // The dual graph of an edge-connected set of faces: a node is a face, by its place in
 // `faces`, a link an edge that is no barrier.
-struct Dual {
-    Dual(const mesh::QuadMesh &mesh, std::vector<int> part);
+struct FaceDual {
+    FaceDual(const mesh::QuadMesh &mesh, std::vector<int> part);
 
     std::size_t size() const { return faces.size(); }
     std::span<const std::int32_t> neighbours(std::size_t node) const {
@@ -34,7 +34,7 @@ struct Dual {
 };
 
 // One for every part of the faces that are not taken.
-std::vector<Dual> duals(const mesh::QuadMesh &mesh, Taken taken);
+std::vector<FaceDual> duals(const mesh::QuadMesh &mesh, Taken taken);
 
 using Groups = std::vector<std::vector<int>>;
 
@@ -42,10 +42,10 @@ using Groups = std::vector<std::vector<int>>;
 Groups disks(const mesh::QuadMesh &mesh, const Groups &groups, Taken taken);
 
 // Disks of all free faces: `divide` tells the group, 0 .. n - 1, of every node of a dual graph.
-using Divide = std::function<std::vector<std::size_t>(const Dual &dual, std::size_t n)>;
+using Divide = std::function<std::vector<std::size_t>(const FaceDual &dual, std::size_t n)>;
 Groups decompose(const mesh::QuadMesh &mesh, double size, Taken taken, const Divide &divide);
 
 // Lloyd (1982) on the graph, from random nodes: a group for every node.
-std::vector<std::size_t> lloyd(const Dual &dual, std::size_t n, std::uint64_t seed);
+std::vector<std::size_t> lloyd(const FaceDual &dual, std::size_t n, std::uint64_t seed);
 
 } // namespace alphamst::patch

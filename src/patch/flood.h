@@ -19,7 +19,7 @@ class Flood {
 public:
     using Start = std::tuple<double, std::size_t, std::size_t>; // distance, node, source
 
-    explicit Flood(const Dual &dual)
+    explicit Flood(const FaceDual &dual)
         : dual_(dual), distance_(dual.size(), std::numeric_limits<double>::infinity()),
           source_(dual.size(), 0) {}
 
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    const Dual &dual_;
+    const FaceDual &dual_;
     std::vector<double> distance_;
     std::vector<std::size_t> source_;
     std::priority_queue<std::pair<double, std::size_t>> far_; // distances only fall: these are bounds

@@ -13,11 +13,11 @@ namespace {
 using Point = OpenMesh::Vec3d;
 
 // A piece of what bounds the free faces: an edge, or a vertex that no patch may have inside.
-struct Rim {
+struct BufferRing {
     Point from, to;
 };
 
-double distance(const Point &p, const Rim &rim) {
+double distance(const Point &p, const BufferRing &rim) {
     const Point along = rim.to - rim.from, away = p - rim.from;
     const double length = along.sqrnorm();
     return (away - along * (length > 0 ? std::clamp((away | along) / length, 0.0, 1.0) : 0)).norm();
@@ -31,7 +31,7 @@ double distance(const Point &p, const Rim &rim) {
 // cuts down leave room for others around them.
 class Discs {
 public:
-    Discs(const mesh::QuadMesh &mesh, const Dual &dual, double size)
+    Discs(const mesh::QuadMesh &mesh, const FaceDual &dual, double size)
         : mesh_(mesh), dual_(dual), most_(static_cast<std::size_t>(std::max(1.0, std::round(size)))),
           flood_(dual), state_(dual.size(), State::free), seen_(dual.size(), 0) {
         least_ = std::max<std::size_t>(1, most_ / 4);
@@ -53,7 +53,7 @@ public:
 private:
     enum class State : char { free, passed, taken };
 
-    void add(Rim rim, std::size_t node) {
+    void add(BufferRing rim, std::size_t node) {
         starts_.push_back({distance(dual_.centroids[node], rim), node, rims_.size()});
         rims_.push_back(rim);
     }
@@ -72,16 +72,16 @@ private:
             const auto next = std::lower_bound(dual_.faces.begin(), dual_.faces.end(), right(mesh_, h));
             if (next == dual_.faces.end() || *next != right(mesh_, h) || barrier(mesh_, h) ||
                 state_[static_cast<std::size_t>(next - dual_.faces.begin())] == State::taken)
-                use(Rim{p, mesh_.point(to(mesh_, h))});
+                use(BufferRing{p, mesh_.point(to(mesh_, h))});
             if (held(mesh_, from(mesh_, h)))
-                use(Rim{p, p});
+                use(BufferRing{p, p});
         }
     }
 
     // Floods from what bounds these nodes.
     void bound(std::span<const std::size_t> nodes) {
         for (const std::size_t node : nodes)
-            rims_of(node, [&](const Rim &rim) { add(rim, node); });
+            rims_of(node, [&](const BufferRing &rim) { add(rim, node); });
         flood();
     }
 
@@ -126,7 +126,7 @@ private:
     bool meets(std::size_t centre, double radius, std::size_t node) const {
         const auto sides = halfedges_of(mesh_, dual_.faces[node]);
         return std::any_of(sides.begin(), sides.end(), [&](Halfedge h) {
-            const Rim side{mesh_.point(from(mesh_, h)), mesh_.point(to(mesh_, h))};
+            const BufferRing side{mesh_.point(from(mesh_, h)), mesh_.point(to(mesh_, h))};
             return distance(dual_.centroids[centre], side) < radius;
         });
     }
@@ -156,17 +156,17 @@ private:
 
     // The nearest rim inside the smallest circle around a node that holds its disc. Searched is
     // all that the circle meets, also behind faces that are not in the disc.
-    std::optional<Rim> intruder(std::size_t centre, const std::vector<std::size_t> &disc) {
+    std::optional<BufferRing> intruder(std::size_t centre, const std::vector<std::size_t> &disc) {
         double radius = 0;
         for (const std::size_t node : disc)
             radius = std::max(radius, reach(centre, node));
         radius *= 1 - 1e-12; // a corner of the disc may lie on the circle
-        std::optional<Rim> nearest;
+        std::optional<BufferRing> nearest;
         std::vector<std::size_t> front = {centre};
         ++round_;
         fresh(centre);
         for (std::size_t i = 0; i < front.size(); ++i) {
-            rims_of(front[i], [&](const Rim &rim) {
+            rims_of(front[i], [&](const BufferRing &rim) {
                 const double away = distance(dual_.centroids[centre], rim);
                 if (away < radius) {
                     radius = away;
@@ -191,10 +191,10 @@ private:
     }
 
     const mesh::QuadMesh &mesh_;
-    const Dual &dual_;
+    const FaceDual &dual_;
     std::size_t most_, least_;
     Flood flood_;
-    std::vector<Rim> rims_;
+    std::vector<BufferRing> rims_;
     std::vector<Flood::Start> starts_;
     std::vector<State> state_;
     std::vector<int> seen_; // [node] round it was last seen in
@@ -206,7 +206,7 @@ private:
 
 Groups medial_discs(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken) {
     Groups groups;
-    for (const Dual &dual : duals(mesh, taken))
+    for (const FaceDual &dual : duals(mesh, taken))
         for (auto &disc : Discs(mesh, dual, size).all(seed))
             groups.push_back(std::move(disc));
     return disks(mesh, groups, taken);

@@ -6,7 +6,7 @@
 namespace alphamst::patch {
 namespace {
 
-std::vector<std::size_t> metis(const Dual &dual, std::size_t n, std::uint64_t seed) {
+std::vector<std::size_t> metis(const FaceDual &dual, std::size_t n, std::uint64_t seed) {
     if (n == 1)
         return std::vector<std::size_t>(dual.size(), 0);
     idx_t options[METIS_NOPTIONS];
@@ -28,7 +28,7 @@ std::vector<std::size_t> metis(const Dual &dual, std::size_t n, std::uint64_t se
 
 Groups partition(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken) {
     // METIS makes empty parts, and prints that it does, where parts are of a few nodes.
-    return decompose(mesh, size, taken, [&](const Dual &dual, std::size_t n) {
+    return decompose(mesh, size, taken, [&](const FaceDual &dual, std::size_t n) {
         return dual.size() < 8 * n ? lloyd(dual, n, seed) : metis(dual, n, seed);
     });
 }

@@ -39,7 +39,7 @@ bool barrier(const mesh::QuadMesh &mesh, Halfedge h) {
 
 bool held(const mesh::QuadMesh &mesh, int vertex) { return at(mesh.vertex_flags, vertex) & any_flag; }
 
-bool pinned(const mesh::QuadMesh &mesh, int v) {
+bool constrained(const mesh::QuadMesh &mesh, int v) {
     if (mesh.on_boundary(v) || at(mesh.vertex_flags, v) != 0)
         return true;
     const Kernel &kernel = mesh.kernel();

@@ -38,10 +38,10 @@ bool barrier(const mesh::QuadMesh &mesh, Halfedge h);
 bool held(const mesh::QuadMesh &mesh, int vertex);
 // A vertex that smoothing must not move wherever it lies: on the mesh boundary, flagged, at a
 // face that is FIXED, or on an edge that is flagged, numbered or between two regions.
-bool pinned(const mesh::QuadMesh &mesh, int vertex);
-// The two vertices along a feature between which a pinned one may slide, if that keeps the feature as it is:
-// it has just these two edges that are flagged, numbered or between two regions, which are alike, and nothing
-// but FEATURE says that it stays. Whether the three are on one line is not looked at.
+bool constrained(const mesh::QuadMesh &mesh, int vertex);
+// The two vertices along a feature between which a constrained one may slide, if that keeps the feature as it
+// is: it has just these two edges that are flagged, numbered or between two regions, which are alike, and
+// nothing but FEATURE says that it stays. Whether the three are on one line is not looked at.
 std::optional<std::array<int, 2>> slide(const mesh::QuadMesh &mesh, int vertex);
 
 struct Region {

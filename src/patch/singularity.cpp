@@ -14,7 +14,7 @@ namespace {
 // one while they have no more faces than wanted, those with the fewest first.
 class Balls {
 public:
-    Balls(const mesh::QuadMesh &mesh, const Dual &dual, double size)
+    Balls(const mesh::QuadMesh &mesh, const FaceDual &dual, double size)
         : mesh_(mesh), dual_(dual), size_(std::max(size, 1.0)), owner_(dual.size(), none) {}
 
     Groups around(std::span<const int> vertices) {
@@ -164,7 +164,7 @@ private:
     }
 
     const mesh::QuadMesh &mesh_;
-    const Dual &dual_;
+    const FaceDual &dual_;
     double size_;
     std::vector<int> owner_; // [node] ball
     std::vector<int> parent_;
@@ -197,7 +197,7 @@ Groups singularity_clusters(const mesh::QuadMesh &mesh, double size, std::uint64
     std::vector<int> left = loose_singularities(mesh, taken);
     while (!left.empty()) {
         Groups groups;
-        for (const Dual &dual : duals(mesh, used)) {
+        for (const FaceDual &dual : duals(mesh, used)) {
             std::vector<int> here;
             for (const int face : dual.faces)
                 for (const int v : mesh.corners(face))

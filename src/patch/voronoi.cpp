@@ -7,7 +7,7 @@ namespace alphamst::patch {
 namespace {
 
 // Mean length of the links at every node.
-std::vector<double> spacing(const Dual &dual) {
+std::vector<double> spacing(const FaceDual &dual) {
     std::vector<double> result(dual.size(), 1);
     for (std::size_t i = 0; i < dual.size(); ++i) {
         double sum = 0;
@@ -22,7 +22,7 @@ std::vector<double> spacing(const Dual &dual) {
 // Centres: from a random node on, always the one that is farthest from those before (Eldar,
 // Lindenbaum, Porat and Zeevi 1997; on meshes Peyre and Cohen 2006). Far is measured in faces,
 // so that a cell has about as many where the mesh is fine as where it is coarse.
-std::vector<Flood::Start> centres(const Dual &dual, std::size_t n, std::uint64_t seed) {
+std::vector<Flood::Start> centres(const FaceDual &dual, std::size_t n, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     const std::vector<double> size = spacing(dual);
     Flood flood(dual);
@@ -39,7 +39,7 @@ std::vector<Flood::Start> centres(const Dual &dual, std::size_t n, std::uint64_t
     return result;
 }
 
-std::vector<std::size_t> cells(const Dual &dual, std::size_t n, std::uint64_t seed) {
+std::vector<std::size_t> cells(const FaceDual &dual, std::size_t n, std::uint64_t seed) {
     Flood flood(dual);
     flood.add(centres(dual, n, seed), [&](std::size_t node, std::size_t next, std::size_t) {
         return flood.distance(node) + dual.length(node, next);
@@ -54,7 +54,7 @@ std::vector<std::size_t> cells(const Dual &dual, std::size_t n, std::uint64_t se
 
 Groups voronoi_cells(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken) {
     return decompose(mesh, size, taken,
-                     [&](const Dual &dual, std::size_t n) { return cells(dual, n, seed); });
+                     [&](const FaceDual &dual, std::size_t n) { return cells(dual, n, seed); });
 }
 
 } // namespace alphamst::patch

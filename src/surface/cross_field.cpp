@@ -131,7 +131,7 @@ Level coarser(const Level &fine, int merged) {
 }
 
 void relax(const Level &level, std::vector<Complex> &crosses, int sweeps) {
-    const auto settle = [&](std::size_t i) {
+    const auto accept_or_roll_back = [&](std::size_t i) {
         Complex sum = level.guides[i];
         for (std::size_t k = level.begin[i]; k < level.begin[i + 1]; ++k)
             sum += level.couplings[k] * crosses[at(level.neighbours[k])];
@@ -140,7 +140,7 @@ void relax(const Level &level, std::vector<Complex> &crosses, int sweeps) {
     // To and fro, so that neither way is preferred.
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (std::size_t i = 0; i < level.size(); ++i)
-            settle(sweep % 2 == 0 ? i : level.size() - 1 - i);
+            accept_or_roll_back(sweep % 2 == 0 ? i : level.size() - 1 - i);
 }
 
 std::vector<Complex> solve(const Links &links, std::span<const Guide> guides, int sweeps) {

@@ -106,7 +106,7 @@ void Surface::find_normals() {
         find_corner_normals(point);
 }
 
-// Those of the corners at one point: triangles with a smooth edge between them share one.
+// Those of the corners at one point: triangles with a smooth edge between them target_count one.
 void Surface::find_corner_normals(int point) {
     const std::span<const int> fan = triangles_around(point);
     std::vector<std::pair<int, std::size_t>> edges; // the other point, the place in the fan

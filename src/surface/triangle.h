@@ -11,7 +11,7 @@ struct Closest {
     double squared = 0;             // distance
 };
 
-// The ids tell two triangles the same about an edge they share: a place on it is computed from the
+// The ids tell two triangles the same about an edge they target_count: a place on it is computed from the
 // corner of smaller id, so that both find the same place, to the last bit.
 Closest closest(const Eigen::Vector3d &p, const std::array<Eigen::Vector3d, 3> &triangle,
                 const std::array<int, 3> &ids);

@@ -62,14 +62,14 @@ std::ostream &operator<<(std::ostream &out, const Tally &tally) {
     return out;
 }
 
-struct Source {
+struct Generator {
     const char *name;
     std::optional<mesh::QuadMesh> (*make)();
 };
 
-void PrintTo(const Source &source, std::ostream *out) { *out << source.name; }
+void PrintTo(const Generator &generator, std::ostream *out) { *out << generator.name; }
 
-class AdaptCampaign : public ::testing::TestWithParam<Source> {
+class AdaptCampaign : public ::testing::TestWithParam<Generator> {
 protected:
     void SetUp() override {
         mesh = GetParam().make();
@@ -114,11 +114,13 @@ TEST_P(AdaptCampaign, KeepsQualityWhereTheCountStays) {
     EXPECT_LE(found.refused, 0.05 * found.runs) << found;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Meshes, AdaptCampaign,
-    ::testing::Values(Source{"square", []() -> std::optional<mesh::QuadMesh> { return unstructured(70, 1); }},
-                      Source{"coast", [] { return coast(); }}),
-    [](const auto &info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Meshes, AdaptCampaign,
+                         ::testing::Values(Generator{"square",
+                                                     []() -> std::optional<mesh::QuadMesh> {
+                                                         return unstructured(70, 1);
+                                                     }},
+                                           Generator{"coast", [] { return coast(); }}),
+                         [](const auto &info) { return std::string(info.param.name); });
 
 } // namespace
 } // namespace alphamst::adapt::samples

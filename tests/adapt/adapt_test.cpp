@@ -10,7 +10,7 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Outcome adapt_one(mesh::QuadMesh &mesh, std::vector<int> faces, double alpha, const Settings &settings = {}) {
-    std::vector<Region> regions(1);
+    std::vector<Patch> regions(1);
     regions[0].faces = std::move(faces);
     return adapt(mesh, regions, alpha, settings, silent).at(0);
 }
@@ -19,7 +19,7 @@ Outcome adapt_one(mesh::QuadMesh &mesh, std::vector<int> faces, double alpha, co
 struct Middle {
     mesh::QuadMesh mesh = grid(12, 12);
     std::vector<int> faces = block(12, 3, 3, 9, 9);
-    int inside = 6 * 13 + 6, rim = 3 * 13 + 6; // vertices
+    int inside = 6 * 13 + 6, buffer = 3 * 13 + 6; // vertices
 };
 
 TEST(Adapt, KeepsEverythingOutside) {
@@ -79,8 +79,8 @@ TEST(Adapt, ClockwiseMeshIsAdaptedAsItsMirrorImage) {
         ASSERT_EQ(other.n_vertices(), one.n_vertices());
         for (int v = 0; v < one.n_vertices(); ++v)
             ASSERT_EQ(other.point(v), OpenMesh::Vec3d(one.point(v)[0], -one.point(v)[1], 0));
-        smooth(one, nullptr, {}, silent);
-        smooth(other, nullptr, {}, silent);
+        smooth::smooth(one, nullptr, {}, silent);
+        smooth::smooth(other, nullptr, {}, silent);
         for (int v = 0; v < one.n_vertices(); ++v)
             ASSERT_EQ(other.point(v), OpenMesh::Vec3d(one.point(v)[0], -one.point(v)[1], 0));
     }
@@ -107,7 +107,7 @@ TEST(Adapt, RegularBlockStaysAtAlphaOne) {
 
 TEST(Adapt, AlphaOfThePatchComesFirst) {
     Middle middle;
-    std::vector<Region> regions(1);
+    std::vector<Patch> regions(1);
     regions[0].faces = middle.faces;
     regions[0].alpha = 2;
     EXPECT_EQ(predict(middle.mesh, regions[0], 0.5, {}).faces, 72);
@@ -119,7 +119,7 @@ TEST(Adapt, ValencesAreThoseOfThePatch) {
     std::mt19937 random(8);
     const std::vector<int> patch = random_patch(mesh, 80, 81, random);
     const mesh::QuadMesh before = mesh;
-    std::vector<Region> regions(1);
+    std::vector<Patch> regions(1);
     regions[0].faces = patch;
     const Outcome outcome = adapt(mesh, regions, 1.5, {}, silent).at(0);
     ASSERT_FALSE(outcome.fault) << outcome.text;
@@ -150,7 +150,7 @@ TEST(Adapt, NewFacesInheritTheRegion) {
     expect_outside_kept(before, middle.mesh, {middle.faces});
 }
 
-// What must not be crossed, inside and on the rim of the block.
+// What must not be crossed, inside and on the buffer of the block.
 using Mark = std::function<void(Middle &, int)>;
 
 const std::pair<const char *, Mark> vertex_marks[] = {
@@ -160,7 +160,7 @@ const std::pair<const char *, Mark> vertex_marks[] = {
     {"FIXED edge", [](Middle &m, int v) { m.mesh.edge_flags[at(m.mesh.find_edge(v, v + 1))] = mesh::fixed; }},
     {"FEATURE edge",
      [](Middle &m, int v) { m.mesh.edge_flags[at(m.mesh.find_edge(v, v + 1))] = mesh::feature; }},
-    {"numbered edge", [](Middle &m, int v) {
+    {"marked edge", [](Middle &m, int v) {
          m.mesh.edge_marker.assign(at(m.mesh.n_edges()), 0);
          m.mesh.edge_marker[at(m.mesh.find_edge(v, v + 1))] = 5;
      }}};
@@ -182,7 +182,7 @@ TEST(Adapt, NothingHeldLiesInside) {
 TEST(Adapt, WhatIsHeldMayLieOnTheRim) {
     for (const auto &[name, mark] : vertex_marks) {
         Middle middle;
-        mark(middle, middle.rim);
+        mark(middle, middle.buffer);
         SCOPED_TRACE(name);
         EXPECT_FALSE(run(middle.mesh, middle.faces, 2).outcome.fault);
     }
@@ -205,9 +205,9 @@ TEST(Adapt, RefusesWhatIsNoDisk) {
 
 TEST(Adapt, CornersMustLieOnTheBoundary) {
     Middle middle;
-    std::vector<Region> regions(1);
+    std::vector<Patch> regions(1);
     regions[0].faces = middle.faces;
-    regions[0].corners = {middle.inside, middle.rim, middle.rim + 1};
+    regions[0].corners = {middle.inside, middle.buffer, middle.buffer + 1};
     EXPECT_EQ(adapt(middle.mesh, regions, 2, {}, silent).at(0).fault, Fault::patch);
 }
 
@@ -266,9 +266,9 @@ TEST(Adapt, PlaneInSpace) {
 }
 
 // Patches that touch and patches that do not.
-std::vector<Region> many_patches(const mesh::QuadMesh &mesh) {
+std::vector<Patch> many_patches(const mesh::QuadMesh &mesh) {
     std::vector<char> taken(at(mesh.n_faces()), 0);
-    std::vector<Region> regions;
+    std::vector<Patch> regions;
     for (std::vector<int> &faces : patch::clusters(mesh, 60, 1, taken)) {
         if (faces.size() < 20 || regions.size() == 16)
             continue;
@@ -281,13 +281,13 @@ std::vector<Region> many_patches(const mesh::QuadMesh &mesh) {
 
 TEST(Adapt, SameResultForAnyNumberOfThreads) {
     const mesh::QuadMesh mesh = unstructured(36, 12);
-    const std::vector<Region> patches = many_patches(mesh);
+    const std::vector<Patch> patches = many_patches(mesh);
     ASSERT_GE(patches.size(), 12u);
     std::optional<std::uint64_t> checksum;
     std::vector<std::vector<int>> faces;
     for (const int threads : {1, 1, 2, 8, 8, 0}) {
         mesh::QuadMesh after = mesh;
-        std::vector<Region> regions = patches;
+        std::vector<Patch> regions = patches;
         Settings settings;
         settings.threads = threads;
         const std::vector<Outcome> outcomes = adapt(after, regions, 1.7, settings, silent);
@@ -317,7 +317,7 @@ TEST(Adapt, SameResultForAnyNumberOfThreads) {
 
 TEST(Adapt, ProgressRisesOnTheCallingThread) {
     mesh::QuadMesh mesh = unstructured(30, 13);
-    std::vector<Region> regions = many_patches(mesh);
+    std::vector<Patch> regions = many_patches(mesh);
     Settings settings;
     settings.threads = 4;
     const auto caller = std::this_thread::get_id();
@@ -334,11 +334,11 @@ TEST(Adapt, ProgressRisesOnTheCallingThread) {
 
 TEST(Adapt, CancelComesThrough) {
     const mesh::QuadMesh mesh = unstructured(30, 13);
-    const std::vector<Region> patches = many_patches(mesh);
+    const std::vector<Patch> patches = many_patches(mesh);
     const auto before = mesh.checksum();
     for (int stop = 0; stop < 3; ++stop) {
         mesh::QuadMesh copy = mesh;
-        std::vector<Region> regions = patches;
+        std::vector<Patch> regions = patches;
         int calls = 0;
         try {
             adapt(copy, regions, 2, {}, [&](double, const char *) {
@@ -358,7 +358,7 @@ TEST(Adapt, CancelComesThrough) {
 TEST(Adapt, NoPatchesNothingHappens) {
     mesh::QuadMesh mesh = grid(4, 4);
     const auto before = mesh.checksum();
-    std::vector<Region> none;
+    std::vector<Patch> none;
     EXPECT_TRUE(adapt(mesh, none, 2, {}, silent).empty());
     EXPECT_EQ(mesh.checksum(), before);
 }

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/quadrangulate.h"
+#include "quadrangulate/quadrangulate.h"
 
 namespace alphamst::adapt::samples {
 
@@ -50,7 +50,8 @@ inline mesh::QuadMesh eared(int levels) {
     }
     for (const auto &triangle : triangles)
         faces.insert(faces.end(), {triangle[0], triangle[1], triangle[2], -1});
-    const auto quads = mesh::quadrangulate({coordinates, faces, {}, {}}, mesh::Quadrangulation::pair);
+    const auto quads =
+        quadrangulate::quadrangulate({coordinates, faces, {}, {}}, quadrangulate::Quadrangulation::pair);
     return mesh::QuadMesh::build(3, quads.points, quads.faces);
 }
 

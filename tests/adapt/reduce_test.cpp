@@ -4,7 +4,7 @@ namespace alphamst::adapt::samples {
 namespace {
 
 Outcome reduce(mesh::QuadMesh &mesh, std::vector<int> &faces) {
-    std::vector<Region> regions(1);
+    std::vector<Patch> regions(1);
     regions[0].faces = faces;
     const Outcome outcome = reduce_singularities(mesh, regions, {}, silent).at(0);
     faces = regions[0].faces;

@@ -8,6 +8,7 @@
 #include "adapt/adapt.h"
 #include "geometry/embed.h"
 #include "meshes.h"
+#include "smooth/smooth.h"
 
 namespace alphamst::adapt::samples {
 
@@ -112,7 +113,7 @@ struct Run {
 // `mesh` has fresh origins and passes its check.
 inline Run run(const mesh::QuadMesh &mesh, const std::vector<int> &faces, double alpha,
                const Settings &settings = {}) {
-    Region region;
+    Patch region;
     region.faces = faces;
     Run run;
     try {
@@ -120,7 +121,7 @@ inline Run run(const mesh::QuadMesh &mesh, const std::vector<int> &faces, double
     } catch (const Failure &) { // adapt will say why
     }
     mesh::QuadMesh after = mesh;
-    std::vector<Region> regions{region};
+    std::vector<Patch> regions{region};
     const std::vector<Outcome> outcomes = adapt(after, regions, alpha, settings, silent);
     EXPECT_EQ(outcomes.size(), 1u);
     run.outcome = outcomes.at(0);

@@ -1,10 +1,10 @@
 #include <cmath>
 
-#include "adapt/ground.h"
-#include "adapt/locate.h"
 #include "eared.h"
 #include "mesh/grids.h"
-#include "mesh/reference.h"
+#include "reference/locate.h"
+#include "reference/reference.h"
+#include "reference/surface_of.h"
 #include "run.h"
 
 namespace alphamst::adapt::samples {
@@ -14,15 +14,15 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Farthest that a vertex of one is from the other.
 double distance(const mesh::QuadMesh &of, const mesh::QuadMesh &to) {
-    const auto surface = mesh::surface_of(to);
+    const auto surface = reference::surface_of(to);
     double most = 0;
     for (int v = 0; v < of.n_vertices(); ++v)
-        most = std::max(most, surface->nearest(point_of(of, v)).distance);
+        most = std::max(most, surface->nearest(reference::point_of(of, v)).distance);
     return most;
 }
 
 double worst_corner(mesh::QuadMesh mesh) {
-    const std::vector<double> each = ground_of(mesh).scaled_jacobians(mesh);
+    const std::vector<double> each = reference::reference_of(mesh).scaled_jacobians(mesh);
     return *std::min_element(each.begin(), each.end());
 }
 
@@ -46,7 +46,7 @@ TEST(Surface, VerticesKeepToItAndItStaysCovered) {
     mesh::QuadMesh mesh = before;
     adapt_whole(mesh, 0.5, {}, silent);
     EXPECT_LT(distance(mesh, before), 1e-12);
-    const double edge = std::sqrt(mesh::surface_of(before)->area() / mesh.n_faces());
+    const double edge = std::sqrt(reference::surface_of(before)->area() / mesh.n_faces());
     EXPECT_LT(distance(before, mesh), 0.75 * edge); // the ears are twice as long as an edge
     // Again and again, and it is still the surface of the beginning.
     adapt_whole(mesh, 1.5, {}, silent);
@@ -82,7 +82,7 @@ TEST(Surface, PatchesKeepWhatIsOutside) {
     mesh::QuadMesh mesh = eared(3);
     const mesh::QuadMesh before = mesh;
     std::vector<char> taken(at(mesh.n_faces()), 0);
-    std::vector<Region> regions;
+    std::vector<Patch> regions;
     for (std::vector<int> &faces : patch::clusters(mesh, 40, 1, taken)) {
         if (faces.size() < 20 || regions.size() == 4)
             continue;
@@ -113,7 +113,7 @@ TEST(Surface, PatchesKeepWhatIsOutside) {
 TEST(Surface, SmoothingSlidesAlongIt) {
     mesh::QuadMesh mesh = eared(3);
     const mesh::QuadMesh before = mesh;
-    const Outcome outcome = smooth(mesh, nullptr, {}, silent).at(0);
+    const Outcome outcome = smooth::smooth(mesh, nullptr, {}, silent).at(0);
     EXPECT_FALSE(outcome.fault);
     EXPECT_GE(outcome.quality_after, outcome.quality_before);
     EXPECT_NE(mesh.checksum(), before.checksum());

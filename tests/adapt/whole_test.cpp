@@ -8,7 +8,7 @@ std::int64_t singular(const mesh::QuadMesh &mesh) {
 }
 
 // The points of the mesh boundary, in the order of their coordinates.
-std::set<std::array<double, 3>> rim(const mesh::QuadMesh &mesh) {
+std::set<std::array<double, 3>> buffer(const mesh::QuadMesh &mesh) {
     std::set<std::array<double, 3>> points;
     for (int v = 0; v < mesh.n_vertices(); ++v)
         if (!mesh.isolated(v) && mesh.on_boundary(v))
@@ -27,7 +27,7 @@ TEST(Whole, DeliversTheFacesAndFewSingularities) {
         EXPECT_EQ(outcome.singular_before, singular(before));
         EXPECT_EQ(outcome.singular_after, singular(mesh));
         EXPECT_LT(4 * singular(mesh), singular(before)) << alpha;
-        EXPECT_EQ(rim(mesh), rim(before));
+        EXPECT_EQ(buffer(mesh), buffer(before));
         EXPECT_GT(quality(mesh, all_faces(mesh)), 0.25) << alpha;
         EXPECT_NEAR(outcome.quality_after, quality(mesh, all_faces(mesh)), 1e-9);
     }

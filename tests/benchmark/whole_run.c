@@ -71,8 +71,8 @@ static void sum_normals(int32_t dim, double (*points)[3], amst_id (*faces)[4], i
         }
 }
 
-/* Faces with a corner that is flat or turned over against the mesh around. Verdict's scaled Jacobian
- * cannot tell: it measures a face against its own normal, so one that is turned over as a whole has a good
+/* Faces with a corner that is flat or inverted against the mesh around. Verdict's scaled Jacobian
+ * cannot tell: it measures a face against its own normal, so one that is inverted as a whole has a good
  * value. */
 static int64_t count_inverted(const amst_mesh *mesh) {
     const int64_t n_faces = count_of(mesh, AMST_FACE), n_points = count_of(mesh, AMST_VERTEX);

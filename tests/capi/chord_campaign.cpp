@@ -1,5 +1,5 @@
 // Random collapses and splits of chords: what is accepted leaves a valid mesh with the faces and the
-// singular vertices foretold and no element turned over, what is refused leaves everything as it was.
+// singular vertices foretold and no element inverted, what is refused leaves everything as it was.
 #include <gtest/gtest.h>
 
 #include <cmath>

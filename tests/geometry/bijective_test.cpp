@@ -19,7 +19,7 @@ TEST(Bijective, WhatLiesOnItselfIsFound) {
     EXPECT_FALSE(bijective(twice, folded));
     EXPECT_TRUE(bijective(twice, mean_value_on_circle(twice.disk())));
     EXPECT_TRUE(bijective(twice, low_stretch_on_circle(twice.disk())));
-    // And a quad that is turned over, in a loop that is as it was.
+    // And a quad that is inverted, in a loop that is as it was.
     const Sheet sheet = flat(1);
     Points turned_over = conformal(sheet.disk());
     turned_over.back() = turned_over.front();
@@ -39,7 +39,7 @@ TEST(Bijective, SimpleLoops) {
     EXPECT_TRUE(simple({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}}));
     EXPECT_TRUE(simple({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0, 1}})); // in line
     EXPECT_TRUE(simple({{0, 0}, {1, 1}, {2, 2}, {3, 3}, {2, 3}, {0, 1}}));                 // likewise
-    EXPECT_FALSE(simple({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));                                // crosses
+    EXPECT_FALSE(simple({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));                                // cross_field
     EXPECT_FALSE(simple({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}));                        // touches an edge
     EXPECT_FALSE(simple({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}));                // at a vertex
     EXPECT_FALSE(simple({{0, 0}, {2, 0}, {1, 0}, {1, 1}}));                                // back on itself

@@ -26,9 +26,9 @@ std::vector<Sample> samples_of(const Surface &surface) {
 }
 
 double farthest(const std::vector<Sample> &samples, const Laid &laid) {
-    const Stars stars(laid.quads, static_cast<int>(laid.drape.points.size()));
+    const Stars stars(laid.quads, static_cast<int>(laid.on_surface.points.size()));
     Cover cover(laid.quads, stars, samples);
-    cover.measure(laid.drape, {});
+    cover.measure(laid.on_surface, {});
     double most = 0;
     for (std::size_t i = 0; i < cover.size(); ++i)
         most = std::max(most, cover.place(static_cast<int>(i)).distance);
@@ -42,11 +42,11 @@ TEST(Fit, SamplesOfAPeakDrawAVertexToIt) {
     const std::vector<Sample> samples = samples_of(*peak);
     Laid with(*peak, Vector3d::Zero()), without = with;
     const double before = farthest(samples, with);
-    fit(*peak, with.quads, with.fixed, with.drape, {}, samples);
-    fit(*peak, without.quads, without.fixed, without.drape, {});
+    fit(*peak, with.quads, with.fixed, with.on_surface, {}, samples);
+    fit(*peak, without.quads, without.fixed, without.on_surface, {});
     EXPECT_LT(farthest(samples, with), 0.8 * before);
     EXPECT_LT(farthest(samples, with), farthest(samples, without));
-    EXPECT_GT(judge(with.quads, with.drape).min_scaled_jacobian, 0.3);
+    EXPECT_GT(judge(with.quads, with.on_surface).min_scaled_jacobian, 0.3);
 }
 
 TEST(Fit, VerticesComeToTheRidge) {
@@ -54,59 +54,59 @@ TEST(Fit, VerticesComeToTheRidge) {
     Laid laid(*roof, {0.4, 0, 0});
     const double before = laid.distance(*roof);
     ASSERT_GT(before, 0.05);
-    const Drape start = laid.drape;
-    fit(*roof, laid.quads, laid.fixed, laid.drape, {});
+    const SurfacePositions start = laid.on_surface;
+    fit(*roof, laid.quads, laid.fixed, laid.on_surface, {});
     EXPECT_LT(laid.distance(*roof), before / 4);
     for (int j = 2; j < 7; ++j)
-        EXPECT_NEAR(laid.drape.points[at(9 * j + 4)].x(), 4, 0.05) << j;
+        EXPECT_NEAR(laid.on_surface.points[at(9 * j + 4)].x(), 4, 0.05) << j;
     for (std::size_t v = 0; v < laid.fixed.size(); ++v) {
         if (laid.fixed[v]) {
-            EXPECT_EQ(laid.drape.points[v], start.points[v]);
+            EXPECT_EQ(laid.on_surface.points[v], start.points[v]);
         }
-        EXPECT_LT(roof->nearest(laid.drape.points[v]).distance, 1e-9);
+        EXPECT_LT(roof->nearest(laid.on_surface.points[v]).distance, 1e-9);
     }
-    EXPECT_GT(judge(laid.quads, laid.drape).min_scaled_jacobian, 0.32);
+    EXPECT_GT(judge(laid.quads, laid.on_surface).min_scaled_jacobian, 0.32);
 }
 
 TEST(Fit, GetsNearerOnBumpsAndSpoilsNoQuad) {
     const auto bumps = graph(64, [](double x, double y) { return 0.5 * std::sin(x) * std::cos(0.8 * y); });
     Laid laid(*bumps, {0.2, -0.2, 0});
     const double before = laid.distance(*bumps);
-    fit(*bumps, laid.quads, laid.fixed, laid.drape, {});
+    fit(*bumps, laid.quads, laid.fixed, laid.on_surface, {});
     EXPECT_LT(laid.distance(*bumps), 0.9 * before);
-    EXPECT_GT(judge(laid.quads, laid.drape).min_scaled_jacobian, 0.32);
+    EXPECT_GT(judge(laid.quads, laid.on_surface).min_scaled_jacobian, 0.32);
 }
 
 TEST(Fit, LeavesSquaresOnAPlane) {
     const auto plane = graph(8, [](double, double) { return 0.0; });
     Laid laid(*plane, Vector3d::Zero());
-    const Drape start = laid.drape;
-    fit(*plane, laid.quads, laid.fixed, laid.drape, {});
+    const SurfacePositions start = laid.on_surface;
+    fit(*plane, laid.quads, laid.fixed, laid.on_surface, {});
     for (std::size_t v = 0; v < start.points.size(); ++v)
-        EXPECT_LT((laid.drape.points[v] - start.points[v]).norm(), 1e-6);
+        EXPECT_LT((laid.on_surface.points[v] - start.points[v]).norm(), 1e-6);
 }
 
 TEST(Fit, DoesNotDependOnHowWorkIsRun) {
     const auto bumps = graph(64, [](double x, double y) { return std::sin(x) * std::sin(y); });
     Laid one(*bumps, {0.2, 0.1, 0}), other = one;
-    fit(*bumps, one.quads, one.fixed, one.drape, {});
+    fit(*bumps, one.quads, one.fixed, one.on_surface, {});
     EmbedOptions backwards;
     backwards.run = [](std::size_t n, const std::function<void(std::size_t)> &work) {
         while (n-- > 0)
             work(n);
     };
-    fit(*bumps, other.quads, other.fixed, other.drape, backwards);
-    EXPECT_EQ(one.drape.points, other.drape.points);
+    fit(*bumps, other.quads, other.fixed, other.on_surface, backwards);
+    EXPECT_EQ(one.on_surface.points, other.on_surface.points);
 }
 
 TEST(Fit, NothingFreeIsNothingToDo) {
     const auto plane = graph(4, [](double, double) { return 0.0; });
     Laid laid(*plane, Vector3d::Zero());
     laid.fixed.assign(laid.fixed.size(), 1);
-    const Drape start = laid.drape;
-    fit(*plane, laid.quads, laid.fixed, laid.drape, {});
-    EXPECT_EQ(laid.drape.points, start.points);
-    Drape none;
+    const SurfacePositions start = laid.on_surface;
+    fit(*plane, laid.quads, laid.fixed, laid.on_surface, {});
+    EXPECT_EQ(laid.on_surface.points, start.points);
+    SurfacePositions none;
     fit(*plane, {}, {}, none, {});
     EXPECT_TRUE(none.points.empty());
 }

@@ -38,7 +38,7 @@ TEST(Judge, ConcaveStraightClockwiseAndCollapsedAreNotValid) {
 }
 
 TEST(Judge, CountsInvertedAndPoorQuads) {
-    // A square, one of 40 degrees, a thin rectangle and one that is turned over, side by side.
+    // A square, one of 40 degrees, a thin rectangle and one that is inverted, side by side.
     const double c = std::cos(40 * 3.14159265358979323846 / 180), s = std::sqrt(1 - c * c);
     const QuadList quads{{0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 6, 7}, {3, 2, 1, 0}};
     const Points points{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1 + c, s}, {c, s}, {1, 0.1}, {0, 0.1}};

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/drape.h"
-#include "geometry/misfit.h"
+#include "geometry/approximation_error.h"
+#include "geometry/surface_positions.h"
 
 namespace alphamst::geometry::samples {
 
@@ -37,12 +37,12 @@ struct Laid {
     explicit Laid(const Surface &surface, const Vector3d &shift) {
         for (int j = 0; j <= 8; ++j)
             for (int i = 0; i <= 8; ++i) {
-                const bool rim = i % 8 == 0 || j % 8 == 0;
-                fixed.push_back(rim);
+                const bool buffer = i % 8 == 0 || j % 8 == 0;
+                fixed.push_back(buffer);
                 Vector3d p(i, j, 0);
-                if (!rim)
+                if (!buffer)
                     p += shift;
-                drape.add(surface.nearest(surface_point(surface, p)));
+                on_surface.add(surface.nearest(surface_point(surface, p)));
             }
         for (int j = 0; j < 8; ++j)
             for (int i = 0; i < 8; ++i) {
@@ -59,12 +59,12 @@ struct Laid {
     }
 
     double distance(const Surface &surface) const {
-        Misfit misfit(surface, quads, drape);
-        misfit.measure(drape, {});
-        return std::sqrt(misfit.mean_square());
+        ApproximationError approximation_error(surface, quads, on_surface);
+        approximation_error.measure(on_surface, {});
+        return std::sqrt(approximation_error.mean_square());
     }
 
-    Drape drape;
+    SurfacePositions on_surface;
     std::vector<std::array<int, 4>> quads;
     std::vector<char> fixed;
 };

@@ -36,7 +36,7 @@ constexpr double margin = 1e-9;
 TEST(Newton, ARegionIsWhatIsFreeAroundItsSeeds) {
     const Setting setting(noisy(8, 0, 1));
     const std::vector<int> seed{8 * 4 + 4}; // its corners are (4, 4) to (5, 5)
-    Region region(setting.problem(), seed, 0);
+    FreeRegion region(setting.problem(), seed, 0);
     const auto expect_block = [&](int low, int high) { // of vertices
         std::vector<int> vertices = region.vertices, wanted, quads;
         std::sort(vertices.begin(), vertices.end());
@@ -73,7 +73,7 @@ TEST(Newton, TurnsEveryCornerOfItsRegionPositive) {
         const Setting setting(noisy(8, 1.5, seed));
         Points points = setting.s.points;
         ASSERT_FALSE(judge(setting.s.quads, points).valid);
-        const Region region(setting.problem(), setting.all(), 0);
+        const FreeRegion region(setting.problem(), setting.all(), 0);
         int iterations = 100;
         EXPECT_TRUE(newton(setting.problem(), region, points, iterations, margin));
         EXPECT_LT(iterations, 100);
@@ -92,7 +92,7 @@ TEST(Newton, LeavesWhatIsOutsideItsRegion) {
     const Setting setting(std::move(s));
     Points points = setting.s.points;
     const std::vector<int> seed{8 * 4 + 4};
-    const Region region(setting.problem(), seed, 1);
+    const FreeRegion region(setting.problem(), seed, 1);
     int iterations = 60;
     EXPECT_TRUE(newton(setting.problem(), region, points, iterations, margin));
     for (std::size_t v = 0; v < points.size(); ++v)
@@ -106,7 +106,7 @@ TEST(Newton, WithoutIterationsOrVerticesItOnlyLooks) {
     const Setting folded(noisy(8, 1.5, 2)), even(noisy(8, 0, 2));
     for (const Setting *setting : {&folded, &even}) {
         Points points = setting->s.points;
-        const Region region(setting->problem(), setting->all(), 0);
+        const FreeRegion region(setting->problem(), setting->all(), 0);
         int none = 0;
         EXPECT_EQ(newton(setting->problem(), region, points, none, margin), setting == &even);
         EXPECT_EQ(points, setting->s.points);

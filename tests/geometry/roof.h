@@ -1,4 +1,4 @@
-// A roof of two halves of quads with rails along its ridge.
+// A roof of two halves of quads with feature_lines along its ridge.
 #pragma once
 
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "geometry/drape.h"
+#include "geometry/surface_positions.h"
 #include "mesh/curved.h"
-#include "mesh/reference.h"
+#include "reference/surface_of.h"
 
 namespace alphamst::geometry::samples {
 
@@ -26,24 +26,24 @@ inline int vertex(int i, int j) { return j * (across + 1) + i; }
 struct Roof {
     mesh::QuadMesh mesh;
     std::shared_ptr<const surface::Surface> surface;
-    Drape drape;
+    SurfacePositions on_surface;
     std::vector<char> fixed;
-    std::vector<Rail> rails;
+    std::vector<FeatureLine> feature_lines;
 
     Roof(double degrees, double power) : mesh(mesh::grid(across, along, place(degrees))) {
-        surface = mesh::surface_of(mesh);
+        surface = reference::surface_of(mesh);
         fixed.assign(at(mesh.n_vertices()), 1);
-        rails.resize(fixed.size());
+        feature_lines.resize(fixed.size());
         const surface::Line ridge{{0, -1, 0}, {0, 10, 0}};
         for (int j = 0; j <= along; ++j)
             for (int i = 0; i <= across; ++i) {
                 const auto &p = mesh.point(vertex(i, j));
                 const double y = i == across / 2 ? along * std::pow(p[1] / along, power) : p[1];
-                drape.add(surface->nearest({p[0], y, p[2]}));
+                on_surface.add(surface->nearest({p[0], y, p[2]}));
                 if (i != across / 2 || j == 0 || j == along)
                     continue;
                 fixed[at(vertex(i, j))] = 0;
-                rails[at(vertex(i, j))] = {ridge, {vertex(i, j - 1), vertex(i, j + 1)}};
+                feature_lines[at(vertex(i, j))] = {ridge, {vertex(i, j - 1), vertex(i, j + 1)}};
             }
     }
     static std::function<Vector3d(double, double)> place(double degrees) {
@@ -56,10 +56,10 @@ struct Roof {
     Judgement improve(int steps = 20) {
         EmbedOptions options;
         options.steps = steps;
-        options.rails = rails;
-        return geometry::improve(*surface, mesh.faces(), fixed, drape, options);
+        options.feature_lines = feature_lines;
+        return geometry::improve(*surface, mesh.faces(), fixed, on_surface, options);
     }
-    const Vector3d &ridge(int j) const { return drape.points[at(vertex(across / 2, j))]; }
+    const Vector3d &ridge(int j) const { return on_surface.points[at(vertex(across / 2, j))]; }
 };
 
 } // namespace alphamst::geometry::samples

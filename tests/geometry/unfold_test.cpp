@@ -18,7 +18,7 @@ TEST(Unfold, LaysASharpCreaseFlat) {
         const int v = vertex(2, 4);
         std::vector<Sector> sectors;
         Points flat;
-        unfold(stars.at(v), roof.drape.points, v, roof.rails[at(v)], sectors, flat);
+        unfold(stars.at(v), roof.on_surface.points, v, roof.feature_lines[at(v)], sectors, flat);
         ASSERT_EQ(sectors.size(), 4u);
         EXPECT_EQ(flat[0], Eigen::Vector2d(0, 0));
         const double here = roof.ridge(4).y();
@@ -29,7 +29,7 @@ TEST(Unfold, LaysASharpCreaseFlat) {
             for (const int point : {s.next, s.opposite, s.previous}) {
                 const int w = quad[(k + step++) % 4];
                 // Ahead is to the right, so that the columns to the right of the ridge are below.
-                EXPECT_NEAR(flat[at(point)].x(), roof.drape.points[at(w)].y() - here, 1e-12);
+                EXPECT_NEAR(flat[at(point)].x(), roof.on_surface.points[at(w)].y() - here, 1e-12);
                 EXPECT_NEAR(flat[at(point)].y(), across / 2 - w % (across + 1), 1e-12);
             }
         }
@@ -42,14 +42,15 @@ TEST(Unfold, NeedsAllQuadsAround) {
     const Stars stars(some, roof.mesh.n_vertices());
     std::vector<Sector> sectors;
     Points flat;
-    unfold(stars.at(vertex(2, 2)), roof.drape.points, vertex(2, 2), roof.rails[at(vertex(2, 2))], sectors,
-           flat);
+    unfold(stars.at(vertex(2, 2)), roof.on_surface.points, vertex(2, 2), roof.feature_lines[at(vertex(2, 2))],
+           sectors, flat);
     EXPECT_EQ(sectors.size(), 4u);
-    unfold(stars.at(vertex(2, 3)), roof.drape.points, vertex(2, 3), roof.rails[at(vertex(2, 3))], sectors,
-           flat);
+    unfold(stars.at(vertex(2, 3)), roof.on_surface.points, vertex(2, 3), roof.feature_lines[at(vertex(2, 3))],
+           sectors, flat);
     EXPECT_TRUE(sectors.empty());
-    const Rail wrong{roof.rails[at(vertex(2, 2))].line, {vertex(2, 1), vertex(2, 4)}}; // no neighbour
-    unfold(stars.at(vertex(2, 2)), roof.drape.points, vertex(2, 2), wrong, sectors, flat);
+    const FeatureLine wrong{roof.feature_lines[at(vertex(2, 2))].line,
+                            {vertex(2, 1), vertex(2, 4)}}; // no neighbour
+    unfold(stars.at(vertex(2, 2)), roof.on_surface.points, vertex(2, 2), wrong, sectors, flat);
     EXPECT_TRUE(sectors.empty());
 }
 

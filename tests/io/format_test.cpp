@@ -74,7 +74,7 @@ TEST(Format, WritesNoMeshThatItCouldNotRead) {
     EXPECT_EQ(failure.ids, std::vector<std::int64_t>{1});
     mesh = samples::cube();
     mesh.faces[9] = 8;
-    failure = failure_of([&] { write(folder / "m.svg", mesh); });
+    failure = failure_of([&] { write(folder / "m.vtk", mesh); });
     EXPECT_EQ(failure.fault, Fault::range);
     EXPECT_EQ(failure.ids, std::vector<std::int64_t>{2});
     mesh = samples::cube();

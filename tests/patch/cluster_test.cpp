@@ -20,9 +20,9 @@ std::vector<std::vector<int>> members(const std::vector<std::size_t> &group, std
     return groups;
 }
 
-// Where the mesh is a strip, the means of two groups settle where the groups are equal.
+// Where the mesh is a strip, the means of two groups accept_or_roll_back where the groups are equal.
 TEST(Cluster, LloydHalvesAStrip) {
-    const Dual dual = duals(grid(40, 1), none).front();
+    const FaceDual dual = duals(grid(40, 1), none).front();
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const auto groups = members(lloyd(dual, 2, seed), 2);
         EXPECT_NEAR(static_cast<double>(groups[0].size()), 20, 1) << seed;
@@ -33,7 +33,7 @@ TEST(Cluster, LloydHalvesAStrip) {
 
 TEST(Cluster, EveryGroupIsConnectedAndNoneIsEmpty) {
     const mesh::QuadMesh mesh = testing::islands();
-    for (const Dual &dual : duals(mesh, none))
+    for (const FaceDual &dual : duals(mesh, none))
         for (const std::size_t n : {1U, 5U, 40U}) {
             const auto group = lloyd(dual, n, 3);
             for (const auto &nodes : members(group, n)) {
@@ -53,7 +53,7 @@ TEST(Cluster, EveryGroupIsConnectedAndNoneIsEmpty) {
 }
 
 TEST(Cluster, TheSeedDecides) {
-    const Dual dual = duals(grid(20, 20), none).front();
+    const FaceDual dual = duals(grid(20, 20), none).front();
     EXPECT_EQ(lloyd(dual, 7, 1), lloyd(dual, 7, 1));
     EXPECT_NE(lloyd(dual, 7, 1), lloyd(dual, 7, 2));
 }

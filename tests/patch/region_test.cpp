@@ -43,7 +43,7 @@ const std::array<int, 2> none{-1, -1}, beside{middle - 1, middle + 1};
 TEST(Slide, AlongAFeatureInside) {
     mesh::QuadMesh mesh = with_feature();
     EXPECT_EQ(neighbours(mesh, middle), beside);
-    EXPECT_TRUE(pinned(mesh, middle)); // to all who do not know of sliding
+    EXPECT_TRUE(constrained(mesh, middle)); // to all who do not know of sliding
     EXPECT_EQ(neighbours(mesh, 3 * row), none);
     EXPECT_EQ(neighbours(mesh, 2 * row + 3), none);
     flags(mesh, middle) = mesh::feature;

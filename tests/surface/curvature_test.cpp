@@ -10,7 +10,7 @@
 
 #include "grid.h"
 #include "mesh/curved.h"
-#include "mesh/reference.h"
+#include "reference/surface_of.h"
 
 namespace alphamst::surface {
 namespace {
@@ -34,7 +34,7 @@ TEST(Curvature, OfASphereIsOneOverItsRadius) {
         mesh::QuadMesh sphere = ball;
         for (int v = 0; v < sphere.n_vertices(); ++v)
             sphere.set_point(v, ball.point(v) * radius);
-        const auto surface = mesh::surface_of(sphere);
+        const auto surface = reference::surface_of(sphere);
         for (const int rings : {0, 1, 3}) {
             const std::vector<double> found = curvature(*surface, rings);
             ASSERT_EQ(found.size(), surface->points().size());
@@ -49,7 +49,7 @@ TEST(Curvature, OfASphereIsOneOverItsRadius) {
 
 TEST(Curvature, OfACylinderIsThatAcrossItsAxis) {
     const double radius = 2.5;
-    const auto surface = mesh::surface_of(mesh::grid(
+    const auto surface = reference::surface_of(mesh::grid(
         48, 20,
         [&](double s, double t) {
             return Vector3d(radius * std::cos(2 * pi * s), radius * std::sin(2 * pi * s), 6 * t);

@@ -1,0 +1,35 @@
+// A patch as the operations take it, and what they tell of it afterwards.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "failure.h"
+
+namespace alphamst {
+
+// One patch. The operations renew faces (and corners stay vertices of the mesh, renumbered).
+struct Patch {
+    std::vector<int> faces;   // ascending
+    std::vector<int> corners; // 3 to 6 boundary vertices, or empty: the library chooses
+    double alpha = 0;         // 0: that of the operation
+};
+
+struct Outcome {
+    std::optional<Fault> fault; // why the patch was left as it was
+    std::string text;           // the sentence that goes with it
+    std::int64_t faces_before = 0, faces_after = 0, faces_wanted = 0;
+    std::int64_t singular_before = 0, singular_after = 0, singular_bound = 0;
+    std::int64_t candidate = 0; // 0: as predicted; n: geometry forced the n-th later filling
+    double quality_before = 0, quality_after = 0, seconds = 0;
+    std::map<int, std::int64_t> valences_before, valences_after; // interior vertices of the mesh in the patch
+};
+
+struct Prediction {
+    std::int64_t faces = 0, singularities = 0;
+};
+
+} // namespace alphamst

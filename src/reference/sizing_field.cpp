@@ -1,0 +1,90 @@
+#include "reference/sizing_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "surface/curvature.h"
+
+namespace alphamst::reference {
+namespace {
+
+// Curvatures count between these multiples of the mean one: edges are about four times as long where it
+// is flat.
+constexpr double flat = 0.1, sharp = 8;
+
+} // namespace
+
+std::optional<SizingField> SizingField::of(const mesh::QuadMesh &mesh, Reference &reference,
+                                           std::int64_t wanted) {
+    if (mesh.n_faces() == 0)
+        return std::nullopt;
+    if (mesh.field(Entity::vertex, "size") == nullptr)
+        return reference.surface ? std::optional(SizingField(reference, wanted)) : std::nullopt;
+    SizingField field(mesh);
+    return reference.surface ? SizingField(reference, field) : std::move(field);
+}
+
+// With edges of length h the surface is missed by about its curvature times h^2 / 8. For a number of faces
+// the mean square of that is least where the faces per area go with curvature^(2/3).
+SizingField::SizingField(Reference &reference, std::int64_t wanted) : reference_(&reference), wished_(false) {
+    const surface::Surface &surface = *reference.surface;
+    const double points = static_cast<double>(surface.points().size());
+    const double edges = std::sqrt(points / static_cast<double>(std::max<std::int64_t>(1, wanted)));
+    const std::vector<double> curvature =
+        surface::curvature(surface, std::clamp(static_cast<int>(edges), 1, 6));
+    const double mean = std::accumulate(curvature.begin(), curvature.end(), 0.0) / points;
+    for (const auto &[a, b, c] : surface.triangles()) {
+        const double bend = (curvature[static_cast<std::size_t>(a)] + curvature[static_cast<std::size_t>(b)] +
+                             curvature[static_cast<std::size_t>(c)]) /
+                            3;
+        reference.density.push_back(std::pow(flat * mean + std::min(bend, sharp * mean), 2.0 / 3));
+    }
+}
+
+SizingField::SizingField(Reference &reference, const SizingField &field) : reference_(&reference) {
+    const surface::Surface &surface = *reference.surface;
+    for (const auto &[a, b, c] : surface.triangles())
+        reference.density.push_back(field.at((surface.points()[static_cast<std::size_t>(a)] +
+                                              surface.points()[static_cast<std::size_t>(b)] +
+                                              surface.points()[static_cast<std::size_t>(c)]) /
+                                             3));
+}
+
+SizingField::SizingField(const mesh::QuadMesh &mesh)
+    : mesh_(std::make_unique<const mesh::QuadMesh>(mesh)), size_(*mesh.field(Entity::vertex, "size")) {
+    std::vector<int> all(static_cast<std::size_t>(mesh.n_faces()));
+    std::iota(all.begin(), all.end(), 0);
+    faces_ = std::make_unique<const FaceTree>(*mesh_, std::move(all));
+}
+
+double SizingField::at(const Eigen::Vector3d &point) const {
+    const FaceTree::Place place = faces_->nearest(point);
+    const auto corners = mesh_->corners(place.face);
+    double size = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        size += place.spot.weights[k] * size_[static_cast<std::size_t>(corners[k])];
+    return 1 / (size * size);
+}
+
+double SizingField::of_face(const mesh::QuadMesh &mesh, int face) const {
+    double sum = 0;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const int v : mesh.corners(face)) {
+        middle += point_of(mesh, v) / 4;
+        if (reference_)
+            sum += reference_->density[static_cast<std::size_t>(
+                       reference_->surface_triangles[static_cast<std::size_t>(v)])] /
+                   4;
+    }
+    return reference_ ? sum : at(middle);
+}
+
+std::vector<double> SizingField::weights(const mesh::QuadMesh &mesh, std::span<const int> faces) const {
+    std::vector<double> weights;
+    for (const int f : faces)
+        weights.push_back(geometry::area_vector(quad_of(mesh, f)).norm() * of_face(mesh, f));
+    return weights;
+}
+
+} // namespace alphamst::reference

@@ -1,0 +1,139 @@
+// The place of one patch: its boundary, what fills it now, and where other fillings come from.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "fill/plan.h"
+#include "geometry/plane.h"
+#include "reference/reference.h"
+#include "refill/chart.h"
+#include "refill/coarsen.h"
+#include "refill/propose.h"
+
+namespace alphamst::refill {
+
+// A fault of the patch and its sentence, on the way to the outcome.
+struct Refusal {
+    Fault fault;
+    std::string text;
+};
+
+// A filling with places for its vertices.
+struct CavityEmbedding : geometry::Judgement {
+    geometry::Points flat;                 // in the plane of the patch, or, if that is curved,
+    geometry::SurfacePositions on_surface; // on the surface
+    int stuck = -1;                        // see geometry::Embedding
+};
+
+// Everything about the patch that its fillings are judged against.
+class Cavity {
+public:
+    // A patch that is flat itself lies in its plane, whatever the reference, unless that has
+    // surface_triangles.
+    Cavity(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal, const Settings &settings,
+           const reference::Reference &reference);
+
+    // A filling by its numbers, made when asked for.
+    struct Candidate {
+        std::int64_t faces = 0;
+        int singularities = 0;
+        std::function<PlacedFilling()> build;
+    };
+    using Group = std::vector<Candidate>;
+    using Generator = std::function<Group()>; // the next group each time, empty at the end
+
+    // Where fillings come from, best first, all made only when asked for.
+    std::vector<Generator> generators() const;
+
+    // The filling that is there, if it has the wanted numbers.
+    std::optional<Candidate> present() const;
+
+    // The boundary is so long for the faces, present or wanted, that templates seldom follow its turns.
+    bool ragged() const;
+
+    // No edge of the filling may double one outside.
+    bool fits(const fill::Filling &filling) const;
+
+    // Singular vertices of the mesh in the patch with this filling.
+    std::map<int, std::int64_t> valences(const fill::Filling &filling) const;
+
+    CavityEmbedding lay(const PlacedFilling &shape) const;
+    // The same in two steps where the patch is curved: into the chart and from there to the surface; without
+    // points if the chart does not take it. Then into shape.
+    CavityEmbedding place(const PlacedFilling &shape) const;
+    CavityEmbedding smooth(const fill::Filling &filling, CavityEmbedding placed) const;
+    bool curved() const { return chart_.has_value(); }
+    const reference::Reference &reference() const { return reference_; }
+    const surface::Surface &surface() const { return *reference_.surface; }
+
+    // Those of the mesh boundary included.
+    int singular_all(const fill::Filling &filling) const;
+
+    // Points for the new vertices, or for one position in the plane.
+    std::vector<OpenMesh::Vec3d> lift(const CavityEmbedding &laid) const;
+    OpenMesh::Vec3d lift(const Eigen::Vector2d &position) const;
+    // Any vertices of the mesh in the plane of the patch, or on its surface.
+    geometry::Points flat(std::span<const int> vertices) const;
+    geometry::SurfacePositions on_surface(std::span<const int> vertices) const;
+
+    patch::Window window;
+    fill::Filling old;
+    double old_quality = 0;
+    geometry::Judgement old_shape;
+    int old_singular_all = 0; // those of the mesh boundary included
+
+private:
+    struct Inner;
+
+    static Generator templates(fill::Request request);
+
+    // Quads of the present filling collapsed, for when nothing more regular is valid.
+    Generator collapsed() const;
+
+    // New fillings of what lies at least so many layers of faces off the boundary; the
+    // faces in between stay as they are.
+    Generator inner(int layers) const;
+
+    Generator start_inner(int layers) const;
+
+    // Vertices at which both a face of the set and another face of the patch lie, or the loop.
+    std::vector<int> border(const std::vector<int> &faces) const;
+
+    fill::Request request() const;
+
+    // The caller's corners have one face, all other boundary vertices are flat.
+    void use_corners(const std::vector<int> &corners);
+
+    // A vertex stays singular where the regular letter would split its angle worse than the
+    // worst corner there is.
+    void keep_angles();
+
+    void read_old_filling();
+
+    void flatten();
+
+    geometry::Embedding embed(const PlacedFilling &shape) const;
+
+    bool inside(int edge) const;
+
+    const mesh::QuadMesh &mesh_;
+    const Goal &goal_;
+    const Settings &settings_;
+    const reference::Reference &reference_;
+    geometry::Plane plane_;      // of a flat patch
+    std::optional<Chart> chart_; // of a curved one
+    geometry::SurfacePositions old_on_surface_;
+    geometry::Points old_positions_; // loop, then interior, in the plane or the chart
+    double least_sine_ = 0;
+    bool corners_given_ = false;
+    std::unordered_map<int, int> local_; // vertex of the mesh -> of old
+    std::vector<int> regular_;           // letters that the mesh wants, whatever this goal makes of them
+};
+
+} // namespace alphamst::refill

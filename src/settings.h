@@ -1,0 +1,35 @@
+// What a caller may set, and how operations tell how far they are.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+namespace alphamst {
+
+// How a curved patch is laid in the plane to be filled anew.
+enum class ChartKind {
+    plane_or_circle, // a projection where it turns little, else on a circle
+    mean_value,      // on a circle
+    conformal,       // loop and all where angles are kept best
+    low_stretch      // on a circle, stretched less
+};
+
+struct Settings {
+    std::uint64_t seed = 0;
+    int smooth_steps = 20;
+    bool patient = true;            // false: a filling that does not come right soon is left
+    double least_area = 0.005;      // see geometry::EmbedOptions
+    int candidates = 16;            // fillings to try in a patch before it is left
+    std::int64_t node_limit = 1000; // effort of one exact search
+    double min_quality = 0;         // a filling must have a larger scaled Jacobian
+    double tolerance = 0.5;         // of the distance to the surface both ways, in wanted edges
+    ChartKind chart = ChartKind::plane_or_circle;
+    bool edit_boundary = false; // chords that end on it, or cross features, may go from whole curved meshes
+    bool align = false;         // whole curved meshes: edges along the cross field
+    int threads = 1;            // 0: all cores
+};
+
+// Called on the calling thread only, between steps; throws Failure (cancelled) to stop.
+using Progress = std::function<void(double fraction, const char *stage)>;
+
+} // namespace alphamst

@@ -1,0 +1,222 @@
+#include "smooth/relax.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/embed.h"
+#include "geometry/fit.h"
+#include "geometry/star.h"
+#include "parallel/workers.h"
+#include "patch/grow.h"
+#include "patch/region.h"
+#include "reference/feature_line.h"
+#include "reference/locate.h"
+#include "reference/statistics.h"
+#include "smooth/shaping.h"
+
+namespace alphamst::smooth {
+namespace {
+
+// A scaled Jacobian that relaxing a surface as a whole may fall to.
+constexpr double least_relaxed = 0.3;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double area_of(const mesh::QuadMesh &mesh, int face) {
+    return geometry::area_vector(reference::quad_of(mesh, face)).norm();
+}
+
+// Of each face: the mean over the faces around it, some layers deep.
+std::vector<double> local_areas(const mesh::QuadMesh &mesh) {
+    constexpr int layers = 4;
+    std::vector<double> area;
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        area.push_back(area_of(mesh, f));
+    std::vector<double> sum(at(mesh.n_vertices())), count(sum.size(), 0);
+    for (const auto &q : mesh.faces())
+        for (const int v : q)
+            ++count[at(v)];
+    for (int layer = 0; layer < layers; ++layer) {
+        std::fill(sum.begin(), sum.end(), 0);
+        for (std::size_t f = 0; f < area.size(); ++f)
+            for (const int v : mesh.faces()[f])
+                sum[at(v)] += area[f];
+        for (std::size_t f = 0; f < area.size(); ++f) {
+            area[f] = 0;
+            for (const int v : mesh.faces()[f])
+                area[f] += sum[at(v)] / count[at(v)] / 4;
+        }
+    }
+    return area;
+}
+
+// By the density, so scaled that they sum up to the area of the mesh.
+std::vector<double> wanted_areas(const mesh::QuadMesh &mesh, const reference::SizingField &density) {
+    std::vector<double> wanted;
+    double sum = 0, area = 0;
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        wanted.push_back(1 / density.of_face(mesh, f));
+        sum += wanted.back();
+        area += area_of(mesh, f);
+    }
+    for (double &a : wanted)
+        a *= area / sum;
+    return wanted;
+}
+
+// Of a whole mesh, with these wanted areas.
+geometry::EmbedOptions whole_shaping(const Settings &settings, const parallel::Workers &workers,
+                                     std::span<const double> area) {
+    geometry::EmbedOptions options = shaping(settings);
+    options.area = area;
+    options.run = [&workers](std::size_t n, const std::function<void(std::size_t)> &work) {
+        workers.run(n, [&](std::size_t i, std::size_t) { work(i); });
+    };
+    return options;
+}
+
+void relax_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, std::span<const char> fixed,
+                const geometry::EmbedOptions &options) {
+    const auto result = geometry::improve(mesh.faces(), fixed, reference::flatten(mesh, plane), options);
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        if (fixed[at(v)])
+            continue;
+        const Eigen::Vector3d p = plane.to_space(result.positions[at(v)]);
+        mesh.set_point(v, {p.x(), p.y(), mesh.dim() == 2 ? 0.0 : p.z()});
+    }
+}
+
+// Quads that are worse than they were, and than a relaxed one may be.
+std::vector<int> spoiled(const mesh::QuadMesh &mesh, const std::vector<double> &before,
+                         const geometry::SurfacePositions &on_surface) {
+    const std::vector<double> now = geometry::scaled_jacobians(mesh.faces(), on_surface);
+    std::vector<int> faces;
+    for (std::size_t f = 0; f < now.size(); ++f)
+        if (now[f] < std::min(before[f], least_relaxed))
+            faces.push_back(static_cast<int>(f));
+    return faces;
+}
+
+// The faces of vertices that have come past a neighbour on their feature_line, as when only that one was
+// taken back.
+void add_passed(const mesh::QuadMesh &mesh, const geometry::SurfacePositions &on_surface,
+                std::span<const geometry::FeatureLine> feature_lines, std::vector<int> &faces) {
+    for (std::size_t v = 0; v < feature_lines.size(); ++v)
+        if (feature_lines[v] && !feature_lines[v].holds(on_surface.points[v], on_surface.points))
+            for (const int f : mesh.faces_around(static_cast<int>(v)))
+                faces.push_back(f);
+}
+
+// Takes vertices back to where they started from around quads that are spoiled and around samples of the
+// surface that would be too far from the mesh; false if some still are.
+bool keep_good(const mesh::QuadMesh &mesh, const std::optional<reference::SurfaceDistance> &surface_distance,
+               const geometry::SurfacePositions &start, geometry::SurfacePositions &on_surface,
+               std::vector<reference::SurfaceDistance::Owner> &owners, const geometry::Run &run,
+               std::span<const geometry::FeatureLine> feature_lines) {
+    constexpr int most_rounds = 8;
+    const std::vector<double> before = geometry::scaled_jacobians(mesh.faces(), start);
+    std::vector<int> all(at(mesh.n_faces()));
+    std::iota(all.begin(), all.end(), 0);
+    for (int round = 0; round < most_rounds; ++round) {
+        std::vector<int> bad = spoiled(mesh, before, on_surface);
+        add_passed(mesh, on_surface, feature_lines, bad);
+        if (surface_distance) {
+            std::vector<geometry::Quad> quads(all.size());
+            for (std::size_t f = 0; f < quads.size(); ++f)
+                for (std::size_t k = 0; k < 4; ++k)
+                    quads[f][k] = on_surface.points[at(mesh.faces()[f][k])];
+            owners = *surface_distance->cover(all, quads, &bad, run);
+        }
+        if (bad.empty())
+            return true;
+        std::sort(bad.begin(), bad.end());
+        bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
+        patch::Growth growth(mesh);
+        for (const int f : growth.surround(bad, 1 + round * (round + 1) / 2))
+            for (const int v : mesh.corners(f))
+                on_surface.put(
+                    v, {start.surface_triangles[at(v)], start.points[at(v)], start.normals[at(v)], 0});
+    }
+    return false;
+}
+
+void relax_draped(mesh::QuadMesh &mesh, reference::Reference &reference, std::vector<char> fixed,
+                  geometry::EmbedOptions options) {
+    const std::vector<geometry::FeatureLine> feature_lines = reference::feature_lines_of(mesh);
+    for (std::size_t v = 0; v < feature_lines.size(); ++v)
+        if (feature_lines[v])
+            fixed[v] = 0;
+    options.feature_lines = feature_lines;
+    geometry::SurfacePositions start = reference.on_surface(mesh);
+    std::vector<int> all(at(mesh.n_vertices()));
+    std::iota(all.begin(), all.end(), 0);
+    reference::forget_normals(mesh, all, mesh.faces(), start);
+    geometry::SurfacePositions on_surface = start;
+    geometry::improve(*reference.surface, mesh.faces(), fixed, on_surface, options);
+    accept_or_roll_back(mesh, reference, start, on_surface, options.run, feature_lines);
+}
+
+} // namespace
+
+std::vector<char> constrained_vertices(const mesh::QuadMesh &mesh) {
+    std::vector<char> fixed;
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        fixed.push_back(mesh.isolated(v) || patch::constrained(mesh, v));
+    return fixed;
+}
+
+bool accept_or_roll_back(mesh::QuadMesh &mesh, reference::Reference &reference,
+                         const geometry::SurfacePositions &start, geometry::SurfacePositions &on_surface,
+                         const geometry::Run &run, std::span<const geometry::FeatureLine> feature_lines) {
+    std::vector<reference::SurfaceDistance::Owner> owners;
+    if (!keep_good(mesh, reference.surface_distance, start, on_surface, owners, run, feature_lines))
+        return false;
+    if (reference.surface_distance) {
+        std::vector<int> faces(at(mesh.n_faces()));
+        std::iota(faces.begin(), faces.end(), 0);
+        reference.surface_distance->assign(faces, owners, faces);
+    }
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        if (on_surface.points[at(v)] == start.points[at(v)])
+            continue;
+        const Eigen::Vector3d &p = on_surface.points[at(v)];
+        mesh.set_point(v, {p.x(), p.y(), p.z()});
+        reference.surface_triangles[at(v)] = on_surface.surface_triangles[at(v)];
+    }
+    return true;
+}
+
+void relax(mesh::QuadMesh &mesh, reference::Reference &reference,
+           const std::optional<reference::SizingField> &density, const Settings &settings) {
+    std::vector<char> fixed = constrained_vertices(mesh);
+    const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
+    const parallel::Workers workers(settings.threads);
+    const geometry::EmbedOptions options = whole_shaping(settings, workers, area);
+    if (reference.plane)
+        relax_flat(mesh, *reference.plane, fixed, options);
+    else
+        relax_draped(mesh, reference, std::move(fixed), options);
+}
+
+void fit(mesh::QuadMesh &mesh, reference::Reference &reference,
+         const std::optional<reference::SizingField> &density, const Settings &settings) {
+    const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
+    const parallel::Workers workers(settings.threads);
+    const geometry::EmbedOptions options = whole_shaping(settings, workers, area);
+    const geometry::SurfacePositions start = reference.on_surface(mesh);
+    geometry::SurfacePositions on_surface = start;
+    std::vector<geometry::Sample> samples;
+    for (int f = 0; reference.surface_distance && f < mesh.n_faces(); ++f)
+        for (const int s : reference.surface_distance->samples(f))
+            samples.push_back({reference.surface_distance->point(s), f});
+    geometry::fit(*reference.surface, mesh.faces(), constrained_vertices(mesh), on_surface, options, samples);
+    // The surface as a whole comes nearer; a part of it may get as far as the farthest was.
+    const double tolerance = reference.surface_distance ? reference.surface_distance->tolerance() : 0;
+    if (reference.surface_distance)
+        reference.surface_distance->set_tolerance(std::max(tolerance, reference.surface_distance->largest()));
+    accept_or_roll_back(mesh, reference, start, on_surface, options.run);
+    if (reference.surface_distance)
+        reference.surface_distance->set_tolerance(tolerance);
+}
+
+} // namespace alphamst::smooth

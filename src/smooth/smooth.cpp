@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <unordered_map>
+
+#include "patch/region.h"
+#include "reference/feature_line.h"
+#include "reference/locate.h"
+#include "reference/reference.h"
+#include "reference/surface_of.h"
+#include "smooth/shaping.h"
+
+namespace alphamst::smooth {
+namespace {
+
+// Some faces and their vertices; the free ones are inside and not constrained, the sliding ones inside and on
+// feature_lines.
+struct Part {
+    Part(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
+        for (const int f : faces) {
+            std::array<int, 4> quad = mesh.corners(f);
+            for (int &v : quad) {
+                const auto [it, fresh] = local.emplace(v, static_cast<int>(vertices.size()));
+                if (fresh)
+                    vertices.push_back(v);
+                v = it->second;
+            }
+            quads.push_back(quad);
+        }
+        std::vector<int> inside(vertices.size(), 0);
+        for (const auto &quad : quads)
+            for (const int v : quad)
+                ++inside[static_cast<std::size_t>(v)];
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            fixed.push_back(inside[i] != mesh.valence(vertices[i])  ? border
+                            : patch::constrained(mesh, vertices[i]) ? held
+                                                                    : 0);
+    }
+
+    // From now on, where the mesh has lines for that.
+    void let_slide(const mesh::QuadMesh &mesh) {
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            if (fixed[i] != held)
+                continue;
+            geometry::FeatureLine feature_line = reference::feature_line_of(mesh, vertices[i]);
+            if (!feature_line)
+                continue;
+            for (int &v : feature_line.between)
+                v = local.at(v);
+            feature_lines.resize(vertices.size());
+            feature_lines[i] = feature_line;
+            fixed[i] = 0;
+        }
+    }
+
+    void put(mesh::QuadMesh &mesh, const std::function<Eigen::Vector3d(std::size_t)> &place) const {
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            if (!fixed[i]) {
+                const Eigen::Vector3d p = place(i);
+                mesh.set_point(vertices[i], {p.x(), p.y(), mesh.dim() == 2 ? 0.0 : p.z()});
+            }
+    }
+
+    static constexpr char border = 1, held = 2;
+
+    std::unordered_map<int, int> local; // vertex of the mesh -> of the part
+    std::vector<int> vertices;          // of the mesh
+    std::vector<std::array<int, 4>> quads;
+    std::vector<char> fixed;
+    std::vector<geometry::FeatureLine> feature_lines; // empty: there are none
+};
+
+void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &plane,
+                 const Settings &settings, Outcome &outcome) {
+    geometry::Points positions;
+    for (const int v : part.vertices)
+        positions.push_back(plane.to_plane(reference::point_of(mesh, v)));
+    outcome.quality_before = geometry::shapes_of(part.quads, positions).min_scaled_jacobian;
+    const geometry::Embedding improved =
+        geometry::improve(part.quads, part.fixed, std::move(positions), shaping(settings));
+    outcome.quality_after = improved.min_scaled_jacobian;
+    part.put(mesh, [&](std::size_t i) { return plane.to_space(improved.positions[i]); });
+}
+
+void smooth_draped(mesh::QuadMesh &mesh, const Part &part, const reference::Reference &reference,
+                   const Settings &settings, Outcome &outcome) {
+    geometry::SurfacePositions start =
+        reference::positions_on_surface(mesh, *reference.surface, reference.surface_triangles, part.vertices);
+    reference::forget_normals(mesh, part.vertices, part.quads, start);
+    outcome.quality_before = geometry::judge(part.quads, start).min_scaled_jacobian;
+    const auto try_with = [&](const Part &tried) {
+        geometry::SurfacePositions on_surface = start;
+        geometry::EmbedOptions options = shaping(settings);
+        options.feature_lines = tried.feature_lines;
+        const double improved =
+            geometry::improve(*reference.surface, tried.quads, tried.fixed, on_surface, options)
+                .min_scaled_jacobian;
+        outcome.quality_after = std::max(outcome.quality_before, improved);
+        if (!(improved >= outcome.quality_before))
+            return false;
+        tried.put(mesh, [&](std::size_t i) { return on_surface.points[i]; });
+        return true;
+    };
+    if (mesh.curves) {
+        Part sliding = part;
+        sliding.let_slide(mesh);
+        if (!sliding.feature_lines.empty() && try_with(sliding))
+            return;
+    }
+    try_with(part);
+}
+
+Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const Settings &settings) {
+    const auto start = std::chrono::steady_clock::now();
+    const Part part(mesh, faces);
+    Outcome outcome;
+    outcome.faces_before = outcome.faces_after = outcome.faces_wanted =
+        static_cast<std::int64_t>(faces.size());
+    for (const int v : part.vertices) {
+        if (mesh.on_boundary(v))
+            continue;
+        ++outcome.valences_before[mesh.valence(v)];
+        outcome.singular_before += mesh.valence(v) != 4;
+    }
+    outcome.valences_after = outcome.valences_before;
+    outcome.singular_after = outcome.singular_bound = outcome.singular_before;
+    if (faces.empty())
+        return outcome;
+    const Patch patch{faces, {}, 0};
+    const reference::Reference reference = reference::reference_of(mesh, std::span(&patch, 1));
+    mesh.surface = reference.surface;
+    if (const auto plane = reference::plane_of(mesh, faces))
+        smooth_flat(mesh, part, *plane, settings, outcome);
+    else
+        smooth_draped(mesh, part, reference, settings, outcome);
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+}
+
+} // namespace
+
+std::vector<Outcome> smooth(mesh::QuadMesh &mesh, const std::vector<Patch> *patches, const Settings &settings,
+                            const Progress &progress) {
+    std::vector<Outcome> outcomes;
+    if (mesh.dim() == 3)
+        mesh.curves = reference::curves_of(mesh);
+    if (patches == nullptr) {
+        progress(0, "smooth");
+        std::vector<int> faces(static_cast<std::size_t>(mesh.n_faces()));
+        std::iota(faces.begin(), faces.end(), 0);
+        outcomes.push_back(smooth_faces(mesh, faces, settings));
+    } else {
+        for (const Patch &patch : *patches) {
+            progress(static_cast<double>(outcomes.size()) / static_cast<double>(patches->size()), "smooth");
+            outcomes.push_back(smooth_faces(mesh, patch.faces, settings));
+        }
+    }
+    progress(1, "smooth");
+    return outcomes;
+}
+
+} // namespace alphamst::smooth

@@ -1,0 +1,127 @@
+#include "adapt/run.h"
+
+namespace alphamst::adapt::samples {
+namespace {
+
+// Vertices inside are moved as far as every corner stays positive.
+void shake(mesh::QuadMesh &mesh, double far, unsigned seed) {
+    std::mt19937 random(seed);
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        if (mesh.on_boundary(v))
+            continue;
+        const OpenMesh::Vec3d here = mesh.point(v);
+        const double dx = far * (chance(random) - 0.5), dy = far * (chance(random) - 0.5);
+        mesh.set_point(v, here + OpenMesh::Vec3d(dx, dy, 0));
+        if (!(quality(mesh, mesh.faces_around(v)) > 0.02))
+            mesh.set_point(v, here);
+    }
+}
+
+std::vector<int> moved(const mesh::QuadMesh &before, const mesh::QuadMesh &after) {
+    std::vector<int> vertices;
+    for (int v = 0; v < before.n_vertices(); ++v)
+        if (std::memcmp(&before.point(v), &after.point(v), sizeof(OpenMesh::Vec3d)) != 0)
+            vertices.push_back(v);
+    return vertices;
+}
+
+bool same_connectivity(const mesh::QuadMesh &a, const mesh::QuadMesh &b) {
+    return std::equal(a.faces().begin(), a.faces().end(), b.faces().begin(), b.faces().end());
+}
+
+TEST(Smooth, NeverLowersTheWorstCorner) {
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        mesh::QuadMesh mesh = unstructured(16, 30 + seed);
+        shake(mesh, 1.2, seed);
+        const mesh::QuadMesh before = mesh;
+        const std::vector<Outcome> outcomes = smooth::smooth(mesh, nullptr, {}, silent);
+        ASSERT_EQ(outcomes.size(), 1u);
+        const std::vector<int> faces = all_faces(mesh);
+        EXPECT_FALSE(outcomes[0].fault) << outcomes[0].text;
+        EXPECT_TRUE(same_connectivity(before, mesh));
+        EXPECT_NO_THROW(mesh.check());
+        EXPECT_NEAR(outcomes[0].quality_before, quality(before, faces), 1e-12);
+        EXPECT_NEAR(outcomes[0].quality_after, quality(mesh, faces), 1e-12);
+        EXPECT_GT(quality(mesh, faces), quality(before, faces)) << "seed " << seed;
+        EXPECT_EQ(outcomes[0].singular_after, singular_in(mesh, faces));
+        for (const int v : moved(before, mesh))
+            EXPECT_FALSE(mesh.on_boundary(v));
+        // Again and again it never gets worse.
+        for (int i = 0; i < 3; ++i) {
+            const double last = quality(mesh, faces);
+            smooth::smooth(mesh, nullptr, {}, silent);
+            EXPECT_GE(quality(mesh, faces), last);
+        }
+    }
+}
+
+TEST(Smooth, MovesTheInsideOfPatchesOnly) {
+    mesh::QuadMesh mesh = unstructured(20, 40);
+    shake(mesh, 1.2, 1);
+    const mesh::QuadMesh before = mesh;
+    std::mt19937 random(41);
+    std::vector<Patch> regions(1);
+    regions[0].faces = random_patch(mesh, 60, 61, random);
+    const std::vector<Outcome> outcomes = smooth::smooth(mesh, &regions, {}, silent);
+    ASSERT_EQ(outcomes.size(), 1u);
+    EXPECT_GE(quality(mesh, regions[0].faces), quality(before, regions[0].faces));
+    const patch::Window window = patch::make_window(mesh, regions[0].faces);
+    const std::vector<int> changed = moved(before, mesh);
+    EXPECT_FALSE(changed.empty());
+    EXPECT_TRUE(
+        std::includes(window.interior.begin(), window.interior.end(), changed.begin(), changed.end()));
+    EXPECT_TRUE(same_connectivity(before, mesh));
+}
+
+TEST(Smooth, LeavesWhatIsHeld) {
+    constexpr int n = 10, row = n + 1;
+    mesh::QuadMesh mesh = grid(n, n);
+    shake(mesh, 1.2, 2);
+    const int v = 3 * row + 3, e = 5 * row + 5, m = 7 * row + 3;
+    const std::size_t border = 2 * n + 7; // its four vertices lie on the border of a region
+    mesh.vertex_flags[static_cast<std::size_t>(v)] = mesh::fixed;
+    mesh.edge_flags[static_cast<std::size_t>(mesh.find_edge(e, e + 1))] = mesh::feature;
+    mesh.edge_marker.assign(static_cast<std::size_t>(mesh.n_edges()), 0);
+    mesh.edge_marker[static_cast<std::size_t>(mesh.find_edge(m, m + row))] = 4;
+    mesh.face_marker.assign(n * n, 1);
+    mesh.face_marker[border] = 2;
+    const mesh::QuadMesh before = mesh;
+    smooth::smooth(mesh, nullptr, {}, silent);
+    const std::vector<int> changed = moved(before, mesh);
+    std::vector<int> held{v, e, e + 1, m, m + row};
+    for (const int corner : mesh.corners(static_cast<int>(border)))
+        held.push_back(corner);
+    for (const int w : held)
+        EXPECT_FALSE(std::binary_search(changed.begin(), changed.end(), w)) << w;
+    EXPECT_GT(changed.size(), 40u);
+}
+
+TEST(Smooth, RegularGridStays) {
+    mesh::QuadMesh mesh = grid(6, 6);
+    const mesh::QuadMesh before = mesh;
+    smooth::smooth(mesh, nullptr, {}, silent);
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        EXPECT_LT((mesh.point(v) - before.point(v)).norm(), 1e-9);
+}
+
+TEST(Smooth, UntanglesOrLeaves) { // one inverted corner: never more of them
+    mesh::QuadMesh mesh = grid(6, 6);
+    mesh.set_point(3 * 7 + 3, {4.6, 3, 0});
+    const double before = quality(mesh, all_faces(mesh));
+    ASSERT_LE(before, 0);
+    smooth::smooth(mesh, nullptr, {}, silent);
+    EXPECT_GE(quality(mesh, all_faces(mesh)), before);
+}
+
+TEST(Smooth, CancelComesThrough) {
+    mesh::QuadMesh mesh = grid(6, 6);
+    shake(mesh, 1.2, 3);
+    const auto before = mesh.checksum();
+    EXPECT_THROW(smooth::smooth(mesh, nullptr, {},
+                                [](double, const char *) { throw Failure(Fault::cancelled, "stop"); }),
+                 Failure);
+    EXPECT_EQ(mesh.checksum(), before);
+}
+
+} // namespace
+} // namespace alphamst::adapt::samples
