@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <string>
 
 namespace alphamst {
 
@@ -13,6 +15,14 @@ enum class ChartKind {
     conformal,       // loop and all where angles are kept best
     low_stretch      // on a circle, stretched less
 };
+
+// An inside view: what each stage did, at level 2, and what each cavity came to, at level 3 (those of
+// amst_log_level). Called on the calling thread only.
+struct Log {
+    int level = -1;
+    std::function<void(int level, const std::string &message)> say;
+};
+constexpr int log_stages = 2, log_cavities = 3;
 
 struct Settings {
     std::uint64_t seed = 0;
@@ -27,6 +37,9 @@ struct Settings {
     bool edit_boundary = false; // chords that end on it, or cross features, may go from whole curved meshes
     bool align = false;         // whole curved meshes: edges along the cross field
     int threads = 1;            // 0: all cores
+    std::shared_ptr<const Log> log; // null: nobody looks
+
+    bool tells(int level) const { return log != nullptr && log->level >= level; }
 };
 
 // Called on the calling thread only, between steps; throws Failure (cancelled) to stop.

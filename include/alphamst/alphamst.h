@@ -220,8 +220,8 @@ enum amst_option {
     AMST_OPT_QUADRANGULATE = 5,    /* int, 0: triangles 0 are paired, 1 every face is split */
     AMST_OPT_EDIT_BOUNDARY = 6,    /* int 0/1, 0: chords that end on the boundary or cross features may go */
     AMST_OPT_STRATEGY = 7,         /* int, 0: amst_adapt of a whole mesh by windows, 1 by chords alone */
-    AMST_OPT_ALIGN = 8,            /* int 0/1, 0: edges of a whole curved mesh turn to its cross field */
-    AMST_OPT_CHART = 9,            /* int, 0: maps curved patches; 1 mean value, 2 conformal, 3 low stretch */
+    AMST_OPT_ALIGN = 8,            /* int 0/1, 0: edges of curved meshes follow their cross field */
+    AMST_OPT_CHART = 9,            /* int, 0: maps what is curved; 1 mean value, 2 conformal, 3 low stretch */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
@@ -242,6 +242,7 @@ enum amst_result {
     AMST_RESULT_SINGULAR_AFTER = 5,
     AMST_RESULT_SINGULAR_BOUND = 6,    /* least number that any filling of the boundary has */
     AMST_RESULT_CANDIDATE = 7,         /* 0: filling as predicted; n: geometry forced the n-th later one */
+    AMST_RESULT_UNUSED_OPTION = 8,     /* AMST_ALL: key of the first option set in vain, -1: none */
     AMST_RESULT_ALPHA = 1000,          /* after / before */
     AMST_RESULT_QUALITY_BEFORE = 1001, /* smallest scaled Jacobian */
     AMST_RESULT_QUALITY_AFTER = 1002,
@@ -252,9 +253,10 @@ enum amst_result {
 enum amst_log_level {
     AMST_LOG_OFF = -1,
     AMST_LOG_ERROR = 0,
-    AMST_LOG_WARNING = 1,
-    AMST_LOG_INFO = 2,
-    AMST_LOG_DEBUG = 3,
+    AMST_LOG_WARNING = 1, /* patches that were left, and why; options without effect */
+    AMST_LOG_INFO = 2,    /* one line a stage, and what the operation came to */
+    AMST_LOG_DEBUG = 3,   /* one line a cavity (patch or window): where, how large, how many candidates, why
+                             those that were refused were, what was taken */
     AMST_LOG_MAX = 0x7fffffff
 };
 
@@ -314,7 +316,9 @@ AMST_API amst_status amst_context_set_cancel(amst_context *ctx, int32_t flag);
 AMST_API amst_status amst_context_get_progress(const amst_context *ctx, double *fraction);
 
 /* ------------------------------------------------------------------ options */
-/* Every `const amst_options *` argument may be NULL: all defaults. */
+/* Every `const amst_options *` argument may be NULL: all defaults. Which options count in an operation is in
+ * the table of amst_adapt. One of that table, but for SEED and SMOOTH_STEPS, that is not at its default and
+ * has no effect on the call is told by AMST_RESULT_UNUSED_OPTION and a line of AMST_LOG_WARNING. */
 
 AMST_API amst_status amst_options_create(amst_options **out);
 AMST_API void amst_options_destroy(amst_options *options);
@@ -359,9 +363,9 @@ AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
  * (legacy); path is UTF-8. dim is 2 when every z is 0. Region numbers of faces and
  * boundary numbers of edges in .msh and .vtk files are kept and written again; the
  * boundaries of a .su2 file, which have names, get the numbers 1, 2, ... in the order
- * of the file, and its clockwise faces are turned over. Borders of regions and numbered edges act as FEATURE.
- * Triangles become quads as in amst_mesh_create; none is merged with one of another region or over
- * a numbered edge, and the halves of such an edge keep its number.
+ * of the file, and its clockwise faces are turned over. Borders of regions and marked edges (those with a
+ * boundary number) act as FEATURE. Triangles become quads as in amst_mesh_create; none is merged with one of
+ * another region or over a marked edge, and the halves of such an edge keep its number.
  * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of
  * amst_mesh_create. */
 AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
@@ -586,30 +590,51 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * result AMST_PARTIAL. The patch set moves along.
  * Errors: ARGUMENT (patches of another mesh), STALE, STATE, CANCELLED. */
 
-/* Replace each patch by its alpha template. alpha > 0 is for the patches that have
- * none of their own. patches NULL: the whole mesh, with disks that the library
- * chooses, grows and moves over it (windows), down to as few singular vertices as it
- * can; the boundary stays vertex for vertex, and the faces are round(alpha * faces),
- * or the result is AMST_PARTIAL. A vertex field "size" says where they go; without it
- * they go where the faces were. With AMST_OPT_STRATEGY 1 whole chords are removed, the
- * shortest first, or split instead, which makes no vertex singular, until no other one
- * can go without passing that number. Same mesh, options and seed, same result, on any
- * number of threads. On a curved mesh vertices keep to its surface, see
- * amst_mesh_set_surface, surface and mesh stay within AMST_OPT_TOLERANCE wanted edge
- * lengths of each other, but for the last faces of the count, and faces are denser where
- * it bends more. A curved mesh that is nearly regular begins with whole chords. Features
- * stay where they are; they lose and get vertices only where they are straight. With
- * AMST_OPT_EDIT_BOUNDARY those chords take vertices from features and boundary that turn
- * there by less than 30 degrees, too; for coarse meshes of machine parts that may be
- * needed. Where the number of faces of a curved mesh cannot be had, no more singular
- * vertices are made than there were. With AMST_OPT_ALIGN windows take, of fillings with
- * the same numbers, those along the face field "cross" or, without one, along what
- * amst_mesh_compute_cross_field would give, and at last edges turn towards it.
- * AMST_OPT_CHART is the map that lays a curved patch, given or window, in the plane to be
- * filled: 0 projects it where it turns little, else has each vertex on a disk amid its
- * neighbours (Tutte), 1 has it there by mean value coordinates, 2 keeps angles and lets
- * the boundary go where it wants, 3 stretches less on the disk. A map that folds is not
- * used: 2 and 3 give way to 1, and that to Tutte's, which never does.
+/* Replace each patch by its alpha template: round(alpha * faces) faces, few singular vertices, the border
+ * as it is. alpha > 0 is for the patches that have none of their own. At alpha 1 a patch for which nothing
+ * better is found stays as it is.
+ * patches NULL: the whole mesh, by windows: disks that the library chooses, grows and moves over it. It gets
+ * round(alpha * faces) faces, or the result is AMST_PARTIAL, and as few singular vertices as can be; its
+ * boundary stays. Same mesh, options and seed, same result, on any number of threads.
+ * Curved meshes keep to their surface, see amst_mesh_set_surface: it and what is filled anew stay within
+ * AMST_OPT_TOLERANCE of each other. What cannot be filled so, patches and the last faces of a whole mesh, may
+ * be up to 3 times as far; a patch that cannot be filled so either is left with AMST_ERR_GEOMETRY.
+ *
+ * What counts in amst_adapt (A), amst_reduce_singularities (R), amst_smooth (S) and amst_clean (C):
+ *
+ *                   patches      patches on a    whole mesh    whole mesh
+ *                   on a plane   curved mesh     in a plane    curved
+ *   SEED            A R          A R             A R C         A R C
+ *   SMOOTH_STEPS    A R S        A R S           A R S C       A R S C       A R of a whole mesh: at most 10
+ *   CANDIDATES      A R          A R             A R C         A R C         a window: 3/16 of it, at least 1
+ *   NODE_LIMIT      A R          A R             A R C         A R C
+ *   MIN_QUALITY     A R          A R             A R C         A R C
+ *   TOLERANCE       -            A R             -             A R
+ *   CHART           -            A R             -             A R C
+ *   ALIGN           -            A R             -             A R
+ *   field "cross"   -            A R             -             A R           with ALIGN only
+ *   field "size"    -            A R             A R           A R
+ *   STRATEGY        -            -               A             A
+ *   EDIT_BOUNDARY   -            -               A             A             in a plane: with STRATEGY 1 only
+ *
+ * Patches on a plane: all are plane, and the mesh has no surface yet. A plane patch on a curved mesh needs no
+ * CHART, and "size" does not count in it.
+ *  CHART     The map that lays what is curved in the plane to be filled: 0 projects what turns little, else
+ *            puts each vertex on a disk amid its neighbours (Tutte); 1 the same by mean value coordinates;
+ *            2 keeps angles and lets the border go where it wants; 3 stretches less on the disk. A map that
+ *            folds is not used: 2 and 3 give way to 1, and that to Tutte's, which never does.
+ *  ALIGN     Of fillings with the same numbers the one along "cross" is taken or, without that field, along
+ *            what amst_mesh_compute_cross_field would give. Edges of a whole mesh turn to it at last.
+ *  "size"    The wanted edge length says where the faces go. Without it those of a patch are even, and those
+ *            of a whole mesh go where they were or, if it is curved, where it bends more.
+ *  STRATEGY  1: whole chords are removed, the shortest first, or split until no other one can go without
+ *            passing the number of faces. No vertex becomes singular. Of the other options only SMOOTH_STEPS
+ *            and EDIT_BOUNDARY count.
+ *  EDIT_BOUNDARY  1: chords may take vertices from features and boundary where these turn by less than 30
+ *            degrees, as coarse meshes of machine parts may need. 0: features lose and get vertices only
+ *            where they are straight. With STRATEGY 0 there are chords only where a curved mesh that is
+ *            nearly regular and has no field "size" begins with them.
+ * Where a curved mesh cannot have the faces wanted, no more singular vertices are made than there were.
  * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);
@@ -620,7 +645,7 @@ AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *pa
                                                const amst_options *options, amst_report **report);
 /* Move interior vertices of the patches, or of the mesh if patches is NULL; flagged
  * ones stay, and so does the revision. On a curved mesh a vertex with two edges that are
- * FEATURE, numbered or borders of regions, both alike, slides between its neighbours on
+ * FEATURE, marked or borders of regions, both alike, slides between its neighbours on
  * them where the curve is straight, as it was when an operation first found it so flagged;
  * so no curve changes. FIXED and CORNER vertices stay. The same holds for whole meshes in
  * amst_adapt and amst_reduce_singularities. */
@@ -690,7 +715,8 @@ AMST_API amst_status amst_mesh_get_summary(const amst_mesh *mesh, int32_t metric
 
 /* ------------------------------------------------------------------- report */
 /* Immutable; outlives mesh and patches. patch is an id or AMST_ALL; an operation that
- * had no patches has AMST_ALL only. Of AMST_ALL counts are sums and qualities the
+ * had no patches has AMST_ALL only. A quality is the smallest AMST_METRIC_SCALED_JACOBIAN
+ * of the faces of a patch or the mesh. Of AMST_ALL counts are sums and qualities the
  * smallest. Errors: RANGE (patch), NOT_FOUND (key of the other type or unknown). */
 
 AMST_API void amst_report_destroy(amst_report *report);

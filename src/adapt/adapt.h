@@ -1,4 +1,4 @@
-// What a caller asks for, on patches of a mesh: refill::propose, judge, commit.
+// What a caller asks for, on patches of a mesh: propose, judge, commit.
 //
 // Every function works on the mesh it is given and may leave it half done when it
 // throws; the caller hands in a copy and swaps it in on success.

@@ -62,7 +62,7 @@ void coarsen_by_chords(mesh::QuadMesh &mesh, std::int64_t wanted, const chord::R
             part /= 2;
             continue;
         }
-        smooth::relax(other, reference, std::nullopt, settings);
+        smooth::relax_by_sizes(other, reference, std::nullopt, settings);
         mesh = std::move(other);
     }
 }

@@ -4,7 +4,7 @@
 #include "geometry/embed.h"
 #include "patch/patches.h"
 #include "reference/statistics.h"
-#include "refill/propose.h"
+#include "refill/patch.h"
 
 namespace alphamst::adapt {
 namespace {
@@ -53,20 +53,13 @@ bool refill_around(mesh::QuadMesh &mesh, int v, const Settings &settings) {
         const reference::Reference reference = reference::reference_of(mesh, std::span(&region, 1));
         mesh.surface = reference.surface;
         const refill::Proposal proposal = refill::propose(mesh, region, goal, settings, reference);
-        if (proposal.outcome.fault ||
+        if (proposal.outcome.fault || proposal.unchanged ||
             bad_count(proposal.outcome.valences_after) >= bad_count(proposal.outcome.valences_before))
             continue;
-        commit(mesh, proposal);
+        commit(mesh, proposal.replacement);
         return true;
     }
     return false;
-}
-
-double quality(const mesh::QuadMesh &mesh) {
-    if (mesh.dim() != 2)
-        return 0;
-    return geometry::judge(mesh.faces(), reference::flatten(mesh, geometry::Plane::of_coordinates(false)))
-        .min_scaled_jacobian;
 }
 
 } // namespace
@@ -75,7 +68,7 @@ Outcome clean(mesh::QuadMesh &mesh, const Settings &settings, const Progress &pr
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.faces_before = outcome.faces_wanted = mesh.n_faces();
-    outcome.quality_before = quality(mesh);
+    outcome.quality_before = reference::least_quality(mesh);
     reference::count(mesh, outcome.valences_before, outcome.singular_before);
     // Each pass goes over all vertices; what one repair makes possible for another waits for the next.
     const std::int64_t first = std::max<std::int64_t>(1, bad_count(outcome.valences_before));
@@ -93,7 +86,7 @@ Outcome clean(mesh::QuadMesh &mesh, const Settings &settings, const Progress &pr
     }
     progress(1, "clean");
     outcome.faces_after = mesh.n_faces();
-    outcome.quality_after = quality(mesh);
+    outcome.quality_after = reference::least_quality(mesh);
     reference::count(mesh, outcome.valences_after, outcome.singular_after);
     outcome.singular_bound = 0;
     if (bad_count(outcome.valences_after) > 0) {

@@ -51,10 +51,13 @@ constexpr std::size_t most_sizes = 3; // of windows, the most promising
 constexpr std::array<Level, 6> levels = {
     {{1, 0, 1}, {0.6, 0, 1.4}, {0.6, 2, 1.4}, {0.6, 4, 2}, {0.4, 8, 2}, {0.2, 16, 3}}};
 
+// Of the fillings to try that a patch has, a window has so many.
+constexpr int window_candidates = 3, patch_candidates = 16;
+
 // A filling that does not come right soon gives way to another window.
 Settings hasty(Settings settings) {
     settings.patient = false;
-    settings.candidates = std::min(settings.candidates, 3);
+    settings.candidates = std::max(1, settings.candidates * window_candidates / patch_candidates);
     settings.least_area = 0.5;
     settings.smooth_steps = std::min(settings.smooth_steps, 10);
     return settings;
@@ -68,7 +71,7 @@ double working_quality(const mesh::QuadMesh &mesh, const reference::Reference &r
     return std::clamp(0.75 * *nth, least_quality, best_quality);
 }
 
-// reference::FaceTree that each face is to become.
+// Faces that each face is to become.
 std::vector<double> target_counts(const mesh::QuadMesh &mesh,
                                   const std::optional<reference::SizingField> &density, std::int64_t wanted) {
     const auto faces = static_cast<std::size_t>(mesh.n_faces());
@@ -124,7 +127,7 @@ public:
     }
 
 private:
-    // reference::FaceTree go to where a size field wants them, before singularities are saved.
+    // Faces go to where a size field wants them, before singularities are saved.
     void spread() {
         if (!sizing_ || !sizing_->wished())
             return;
@@ -136,7 +139,7 @@ private:
             pass.shape = wish(1);
             pass.most_added = 8;
             if (run(pass, "spread", 0, 0) > 0)
-                smooth::relax(mesh_, reference_, sizing_, settings_);
+                smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
         }
     }
 
@@ -160,7 +163,7 @@ private:
                     now - sweep_.singular() < worthwhile * now)
                     break;
             if (sweep_.singular() < before)
-                smooth::relax(mesh_, reference_, sizing_, settings_);
+                smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
             idle = before - sweep_.singular() < worthwhile * before ? idle + 1 : 0;
             if (sizes[i] >= large_enough() && idle > 1)
                 break;
@@ -182,11 +185,11 @@ private:
             pass.shape = wish(collapsed_shape);
             if (run(pass, "collapse", 0, 0) == 0)
                 break;
-            smooth::relax(mesh_, reference_, sizing_, settings_);
+            smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
         }
     }
 
-    // Far from the wanted count every part of the mesh takes its target_count of the way, and more may be
+    // Far from the wanted count every part of the mesh takes its share of the way, and more may be
     // lost where it hardly goes on.
     void approach(int size, double start) {
         if (room_)
@@ -201,7 +204,7 @@ private:
             pass.shape = wish(level.shape);
             pass.most_added = level.added;
             if (run(pass, "approach", start, 0) > 0)
-                smooth::relax(mesh_, reference_, sizing_, settings_);
+                smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
             const auto now = static_cast<double>(std::abs(sweep_.missing()));
             if (now < good_way * before || !is_far())
                 break;
@@ -281,7 +284,7 @@ private:
             if (spent == 0)
                 break; // no window fits around those that are left
             if (sweep_.singular() < before) {
-                smooth::relax(mesh_, reference_, sizing_, settings_);
+                smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
                 spent += mesh_.n_faces(); // about what that takes
             }
             expected_gain.learn(search, before - sweep_.singular(), static_cast<double>(spent));
@@ -297,7 +300,7 @@ private:
             pass.slack = std::min(slack, drift / static_cast<double>(sweep_.wanted()));
             pass.shape = wish(1);
             if (run(pass, "turn", 0.8, 0) > 0)
-                smooth::relax(mesh_, reference_, sizing_, settings_);
+                smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
         }
     }
 
@@ -305,12 +308,12 @@ private:
     bool rose() const { return sweep_.singular() > singular_before_; }
 
     void finish() {
-        tell(0.9, "smooth::relax");
-        smooth::relax(mesh_, reference_, sizing_, settings_);
+        tell(0.9, "relax");
+        smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
         if (reference_.surface)
-            smooth::fit(mesh_, reference_, sizing_, settings_);
+            smooth::fit_to_surface(mesh_, reference_, sizing_, settings_);
         if (cross_field_) // who asks for the field gets it, at some distance to the surface
-            smooth::align(mesh_, reference_, *cross_field_, settings_);
+            smooth::align_to_field(mesh_, reference_, *cross_field_, settings_);
         mend();
         tell(1, "mend");
     }
@@ -350,7 +353,7 @@ private:
     void tell(double fraction, const char *stage) { progress_(fraction, stage); }
 
     int run(const Pass &pass, const char *stage, double start, double part) {
-        return sweep_.run(pass, [&](double fraction) { tell(start + part * fraction, stage); });
+        return sweep_.run(pass, stage, [&](double fraction) { tell(start + part * fraction, stage); });
     }
 
     mesh::QuadMesh &mesh_;

@@ -5,9 +5,10 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
 #include <unordered_set>
 
+#include "adapt/commit.h"
+#include "index.h"
 #include "reference/statistics.h"
 
 namespace alphamst::adapt {
@@ -23,29 +24,6 @@ constexpr std::size_t most_for_count = 32; // windows that a pass for the count 
 // as many as one in so many does, they would stand in each other's way.
 constexpr int seldom = 8;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// Numbers of entities at the start of a round, while its commits renumber the mesh.
-class Renumbered {
-public:
-    int now(int at_start) const {
-        const auto found = now_.find(at_start);
-        return found == now_.end() ? at_start : found->second;
-    }
-    void renew(int id) { start_[id] = -1; }
-    void move(int from, int to) {
-        const auto found = start_.find(from);
-        const int first = found == start_.end() ? from : found->second;
-        start_[to] = first;
-        start_[from] = -1;
-        if (first >= 0)
-            now_[first] = to;
-    }
-
-private:
-    std::unordered_map<int, int> now_, start_; // start_: -1 for entities of this round
-};
-
 } // namespace
 
 // Windows that are tried together. All arrays are [window].
@@ -54,7 +32,8 @@ struct Sweep::Round {
     std::vector<Random> luck;
     std::vector<refill::Place> places;
     std::vector<std::optional<refill::Goal>> goals;
-    std::vector<std::optional<refill::Trial>> trials;
+    std::vector<std::optional<refill::Replacement>> found;
+    std::vector<refill::Trace> traces;
 };
 
 Sweep::Sweep(mesh::QuadMesh &mesh, reference::Reference &reference, std::vector<double> target_counts,
@@ -177,11 +156,11 @@ std::optional<refill::Goal> Sweep::goal_of(const Pass &pass, const std::vector<i
 }
 
 // A commit brings the number of faces nearer to what is wanted, or leaves it within the slack.
-bool Sweep::welcome(const Pass &pass, const refill::Trial &trial) const {
-    if (trial.singular_change > std::max(0, most_singular_ - singular_))
+bool Sweep::welcome(const Pass &pass, const refill::Replacement &found) const {
+    if (found.singular_change > std::max(0, most_singular_ - singular_))
         return false;
-    const auto more = static_cast<std::int64_t>(trial.proposal.filling.quads.size()) -
-                      static_cast<std::int64_t>(trial.proposal.window.faces.size());
+    const auto more = static_cast<std::int64_t>(found.filling.quads.size()) -
+                      static_cast<std::int64_t>(found.window.faces.size());
     const std::int64_t miss = std::abs(missing() - more);
     if (miss < std::abs(missing()))
         return true;
@@ -193,7 +172,7 @@ bool Sweep::welcome(const Pass &pass, const refill::Trial &trial) const {
 Sweep::Round Sweep::plan_round(const Pass &pass) {
     Round round;
     while (!waiting_.empty() && round.seeds.size() < most_windows) {
-        const int next = waiting_.front(), vertex = seeds_[at(next)];
+        const int next = waiting_.front(), vertex = vertices_.now(seeds_[at(next)]);
         waiting_.pop_front();
         if (vertex < 0 || mesh_.isolated(vertex) ||
             (pass.purpose == Purpose::fewer_singularities && !mesh_.on_boundary(vertex) &&
@@ -213,7 +192,8 @@ void Sweep::grow_windows(const Pass &pass, Round &round) {
     workers_.run(round.seeds.size(), [&](std::size_t i, std::size_t worker) {
         patch::Growth &growth = growths_[worker];
         refill::Place &place = round.places[i];
-        place.faces = growth.disk(plan_window(seeds_[at(round.seeds[i])], pass.size, round.luck[i]));
+        place.faces =
+            growth.disk(plan_window(vertices_.now(seeds_[at(round.seeds[i])]), pass.size, round.luck[i]));
         if (place.faces.empty())
             return;
         const std::vector<int> all = growth.surround(place.faces, buffer_layers);
@@ -259,28 +239,12 @@ void Sweep::choose_windows(const Pass &pass, Round &round) {
     round = std::move(chosen);
 }
 
-// Shares, seeds and their places go with what a commit renumbers.
-void Sweep::follow(const refill::Trial &trial, const mesh::QuadMesh::Replaced &replaced) {
-    if (reference_.surface) {
-        std::vector<int> &surface_triangles = reference_.surface_triangles;
-        surface_triangles.resize(std::max(surface_triangles.size(), at(mesh_.n_vertices())));
-        for (std::size_t i = 0; i < replaced.vertices.size(); ++i)
-            surface_triangles[at(replaced.vertices[i])] = trial.surface_triangles[i];
-        for (const auto &[from, to] : replaced.moved_vertices)
-            surface_triangles[at(to)] = surface_triangles[at(from)];
-        surface_triangles.resize(at(mesh_.n_vertices()));
-    }
-    const refill::Proposal &proposal = trial.proposal;
+// Target counts and seeds go with what a commit renumbers.
+void Sweep::follow(const refill::Replacement &taken, const mesh::QuadMesh::Replaced &replaced) {
     double target_count = 0;
-    for (const int f : proposal.window.faces)
+    for (const int f : taken.window.faces)
         target_count += target_counts_[at(f)];
-    for (const int v : proposal.window.interior)
-        if (const int seed = place_[at(v)]; seed >= 0)
-            seeds_[at(seed)] = -1;
     target_counts_.resize(std::max(target_counts_.size(), at(mesh_.n_faces())));
-    place_.resize(std::max(place_.size(), at(mesh_.n_vertices())), -1);
-    for (const int v : proposal.window.interior)
-        place_[at(v)] = -1;
     std::vector<double> weights(replaced.faces.size(), 1);
     if (sizing_)
         weights = sizing_->weights(mesh_, replaced.faces);
@@ -289,74 +253,34 @@ void Sweep::follow(const refill::Trial &trial, const mesh::QuadMesh::Replaced &r
         target_counts_[at(replaced.faces[i])] = target_count * weights[i] / sum;
     for (const auto &[from, to] : replaced.moved_faces)
         target_counts_[at(to)] = target_counts_[at(from)];
-    for (const auto &[from, to] : replaced.moved_vertices) {
-        place_[at(to)] = place_[at(from)];
-        if (place_[at(to)] >= 0)
-            seeds_[at(place_[at(to)])] = to;
-    }
     target_counts_.resize(at(mesh_.n_faces()));
-    place_.resize(at(mesh_.n_vertices()));
-}
-
-// Samples of the surface go to the new faces and to the buffer, both by their numbers before any others
-// are moved.
-void Sweep::cover(const refill::Trial &trial, std::span<const int> old, std::span<const int> buffer,
-                  const mesh::QuadMesh::Replaced &replaced) {
-    reference::SurfaceDistance &surface_distance = *reference_.surface_distance;
-    std::vector<int> owners(replaced.faces), freed(old.begin(), old.end());
-    owners.insert(owners.end(), buffer.begin(), buffer.end());
-    if (!trial.moved.empty())
-        freed.insert(freed.end(), buffer.begin(), buffer.end());
-    surface_distance.resize(std::max(surface_distance.faces(), mesh_.n_faces()));
-    surface_distance.assign(freed, trial.owners, owners);
-    for (const auto &[from, to] : replaced.moved_faces)
-        surface_distance.move(from, to);
-    surface_distance.resize(mesh_.n_faces());
+    for (const int v : taken.window.interior)
+        vertices_.remove(v);
+    for (const int v : replaced.vertices)
+        vertices_.add(v);
+    for (const auto &[from, to] : replaced.moved_vertices)
+        vertices_.move(from, to);
 }
 
 // In order; a window that overlaps one refilled before it waits for another round.
-void Sweep::commit_round(const Pass &pass, Round &round) {
-    Renumbered faces, vertices;
+void Sweep::commit_round(const Pass &pass, const char *stage, Round &round) {
+    Commits commits(mesh_, reference_);
     std::vector<int> later;
     ++epoch_;
-    for (std::size_t i = 0; i < round.trials.size(); ++i) {
-        auto &trial = round.trials[i];
+    for (std::size_t i = 0; i < round.found.size(); ++i) {
+        auto &found = round.found[i];
         ++tried_;
-        if (!trial || !welcome(pass, *trial))
-            continue;
-        if (!take(round.places[i])) {
+        const bool taken = found && welcome(pass, *found);
+        if (taken && !take(round.places[i])) {
             later.push_back(round.seeds[i]);
             continue;
         }
-        refill::Proposal &proposal = trial->proposal;
-        for (int &f : proposal.window.faces)
-            f = faces.now(f);
-        for (auto *list : {&proposal.window.loop, &proposal.window.interior})
-            for (int &v : *list)
-                v = vertices.now(v);
-        for (std::size_t k = 0; k < trial->moved.size(); ++k) {
-            const int v = vertices.now(trial->moved[k].first);
-            mesh_.set_point(v, trial->moved[k].second);
-            if (reference_.surface)
-                reference_.surface_triangles[at(v)] = trial->moved_surface_triangles[k];
-        }
-        const auto replaced = commit(mesh_, proposal);
-        follow(*trial, replaced);
-        if (reference_.surface_distance) {
-            std::vector<int> buffer = round.places[i].buffer;
-            for (int &f : buffer)
-                f = faces.now(f);
-            cover(*trial, proposal.window.faces, buffer, replaced);
-        }
-        for (const int f : replaced.faces)
-            faces.renew(f);
-        for (const int v : replaced.vertices)
-            vertices.renew(v);
-        for (const auto &[from, to] : replaced.moved_faces)
-            faces.move(from, to);
-        for (const auto &[from, to] : replaced.moved_vertices)
-            vertices.move(from, to);
-        singular_ += trial->singular_change;
+        log_window(settings_, mesh_, stage, vertices_.now(seeds_[at(round.seeds[i])]), round.places[i],
+                   round.traces[i], taken ? &*found : nullptr);
+        if (!taken)
+            continue;
+        follow(*found, commits.put(*found, round.places[i].buffer));
+        singular_ += found->singular_change;
         ++refilled_;
     }
     waiting_.insert(waiting_.begin(), later.begin(), later.end());
@@ -393,26 +317,26 @@ std::vector<int> Sweep::choose_seeds(const Pass &pass) {
     return seeds;
 }
 
-int Sweep::run(const Pass &pass, const std::function<void(double)> &between) {
+int Sweep::run(const Pass &pass, const char *stage, const std::function<void(double)> &between) {
     seeds_ = choose_seeds(pass);
-    place_.assign(at(mesh_.n_vertices()), -1);
+    vertices_ = mesh::Renumbered(mesh_.n_vertices());
     waiting_.resize(seeds_.size());
     std::iota(waiting_.begin(), waiting_.end(), 0);
-    for (const int i : waiting_)
-        place_[at(seeds_[at(i)])] = i;
     tried_ = refilled_ = 0;
     while (!waiting_.empty() && !(pass.purpose == Purpose::count && missing() == 0)) {
         between(1 - static_cast<double>(waiting_.size()) / static_cast<double>(seeds_.size()));
         Round round = plan_round(pass);
-        round.trials.resize(round.places.size());
+        round.found.resize(round.places.size());
+        round.traces.resize(round.places.size());
         for (const refill::Place &place : round.places)
             effort_ += static_cast<std::int64_t>(place.faces.size());
         workers_.run(round.places.size(), [&](std::size_t i, std::size_t) {
-            round.trials[i] =
-                refill::attempt(mesh_, round.places[i], *round.goals[i], pass.shape, settings_, reference_);
+            round.found[i] = refill::refill_window(mesh_, round.places[i], *round.goals[i], pass.shape,
+                                                   settings_, reference_, round.traces[i]);
         });
-        commit_round(pass, round);
+        commit_round(pass, stage, round);
     }
+    log_stage(settings_, stage, {pass.size, tried_, refilled_, singular_, missing()});
     return refilled_;
 }
 

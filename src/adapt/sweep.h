@@ -7,11 +7,13 @@
 #include <limits>
 #include <vector>
 
+#include "adapt/log.h"
+#include "mesh/renumbered.h"
 #include "parallel/workers.h"
 #include "patch/grow.h"
 #include "random.h"
 #include "reference/sizing_field.h"
-#include "refill/trial.h"
+#include "refill/window.h"
 
 namespace alphamst::adapt {
 
@@ -25,7 +27,7 @@ enum class Purpose {
     mend,     // the worst shapes become better
 };
 
-// reference::FaceTree, for each wanted one, that a collapse leaves: the windows that come then need room.
+// Faces, for each wanted one, that a collapse leaves: the windows that come then need room.
 constexpr double collapse_to = 1.2;
 
 struct Pass {
@@ -48,7 +50,7 @@ public:
     // Tries a window around every singular vertex once, where faces are to be moved elsewhere, too, and
     // returns how many were refilled. `between` is called between rounds on the calling thread with the part
     // that is done.
-    int run(const Pass &pass, const std::function<void(double)> &between);
+    int run(const Pass &pass, const char *stage, const std::function<void(double)> &between);
 
     // What was done so far: faces of all windows that were tried.
     std::int64_t effort() const { return effort_; }
@@ -74,11 +76,9 @@ private:
     bool take(const refill::Place &place);
     std::vector<int> choose_seeds(const Pass &pass);
     std::optional<refill::Goal> goal_of(const Pass &pass, const std::vector<int> &faces) const;
-    bool welcome(const Pass &pass, const refill::Trial &trial) const;
-    void commit_round(const Pass &pass, Round &round);
-    void follow(const refill::Trial &trial, const mesh::QuadMesh::Replaced &replaced);
-    void cover(const refill::Trial &trial, std::span<const int> old, std::span<const int> buffer,
-               const mesh::QuadMesh::Replaced &replaced);
+    bool welcome(const Pass &pass, const refill::Replacement &found) const;
+    void commit_round(const Pass &pass, const char *stage, Round &round);
+    void follow(const refill::Replacement &taken, const mesh::QuadMesh::Replaced &replaced);
 
     mesh::QuadMesh &mesh_;
     reference::Reference &reference_;
@@ -90,9 +90,9 @@ private:
     std::vector<patch::Growth> growths_; // [worker]
     Random random_;
     int singular_ = 0, most_singular_ = std::numeric_limits<int>::max();
-    std::vector<int> place_; // [vertex] in seeds_, -1 if none
-    std::vector<int> seeds_; // vertices, -1 if gone
-    std::vector<int> taken_; // [face] epoch_ if a window chosen now holds it
+    std::vector<int> seeds_;       // vertices, by their numbers at the start of the run
+    mesh::Renumbered vertices_{0}; // since then
+    std::vector<int> taken_;       // [face] epoch_ if a window chosen now holds it
     int epoch_ = 0;
     std::deque<int> waiting_;      // places in seeds_
     int tried_ = 0, refilled_ = 0; // in this run

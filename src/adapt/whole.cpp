@@ -7,9 +7,10 @@
 
 #include "adapt/chord_prepass.h"
 #include "adapt/schedule.h"
+#include "index.h"
 #include "reference/feature_line.h"
 #include "reference/statistics.h"
-#include "refill/propose.h"
+#include "refill/patch.h"
 
 namespace alphamst::adapt {
 namespace {
@@ -17,91 +18,101 @@ namespace {
 // Singular vertices that there may be on the way, for each at first, where a first try left more.
 constexpr double some_room = 1.5, no_room = 1;
 
-void describe(const mesh::QuadMesh &mesh, const reference::Reference &reference,
-              std::map<int, std::int64_t> &valences, std::int64_t &singular, double &quality) {
-    valences.clear();
-    singular = 0;
-    reference::count(mesh, valences, singular);
-    const std::vector<double> each = reference.scaled_jacobians(mesh);
-    quality = *std::min_element(each.begin(), each.end());
-}
-
 bool rose(const Outcome &outcome) { return outcome.singular_after > outcome.singular_before; }
 
-Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings,
-               const Progress &progress) {
-    const auto start = std::chrono::steady_clock::now();
-    Outcome outcome;
-    outcome.faces_before = outcome.faces_after = mesh.n_faces();
-    outcome.faces_wanted = refill::wanted_faces(alpha, static_cast<std::size_t>(mesh.n_faces()));
-    if (mesh.n_faces() == 0)
-        return outcome;
-    reference::straighten(mesh);
-    describe(mesh, reference::reference_of(mesh), outcome.valences_before, outcome.singular_before,
-             outcome.quality_before);
-    // Stages come more than once; what was told does not fall.
-    const Progress tell = [&progress, told = 0.0](double fraction, const char *stage) mutable {
-        told = std::max(told, fraction);
-        progress(told, stage);
-    };
-    std::optional<reference::CrossField> cross_field;
-    if (settings.align && mesh.surface)
-        cross_field.emplace(mesh);
-    chord_prepass(mesh, outcome.faces_wanted, settings, tell);
+class Rework {
+public:
+    Rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings, const Progress &progress)
+        : mesh_(mesh), exact_(exact), settings_(settings),
+          // Stages come more than once; what was told does not fall.
+          tell_([&progress, told = 0.0](double fraction, const char *stage) mutable {
+              told = std::max(told, fraction);
+              progress(told, stage);
+          }) {
+        begin_.faces_before = begin_.faces_after = mesh.n_faces();
+        begin_.faces_wanted = refill::wanted_faces(alpha, at(mesh.n_faces()));
+    }
 
-    const auto attempt = [&](mesh::QuadMesh &tried, std::optional<double> room) {
+    Outcome run() {
+        const auto start = std::chrono::steady_clock::now();
+        Outcome outcome = mesh_.n_faces() == 0 ? begin_ : search();
+        outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return outcome;
+    }
+
+private:
+    Outcome search() {
+        reference::straighten(mesh_);
+        reference::count(mesh_, begin_.valences_before, begin_.singular_before);
+        begin_.quality_before = reference::least_quality(mesh_);
+        reference::reference_of(mesh_); // which gives a curved mesh its surface
+        if (settings_.align && mesh_.surface)
+            cross_field_.emplace(mesh_);
+        chord_prepass(mesh_, begin_.faces_wanted, settings_, tell_);
+        // Sizes that are asked for need singular vertices, and in a plane the boundary does.
+        std::optional<mesh::QuadMesh> begun;
+        if (mesh_.surface && mesh_.dim() == 3 && mesh_.field(Entity::vertex, "size") == nullptr)
+            begun = mesh_;
+        Outcome outcome = attempt(mesh_, std::nullopt);
+        std::string limit;
+        for (const double room : {some_room, no_room}) {
+            if (!begun || !rose(outcome) || (room == no_room && missing(outcome) == 0))
+                break;
+            mesh::QuadMesh tried = *begun;
+            const Outcome result = attempt(tried, room);
+            if (rank(result) < rank(outcome)) {
+                outcome = result;
+                mesh_ = std::move(tried);
+                limit = " that would not leave more singular vertices than there were";
+                if (mesh_.curves && !settings_.edit_boundary)
+                    limit += ", features having all their vertices but where they are straight";
+            }
+        }
+        if (missing(outcome) != 0)
+            outcome.text = "the mesh has " + std::to_string(outcome.faces_after) + " faces where " +
+                           std::to_string(outcome.faces_wanted) +
+                           " were wanted; no valid filling with more or fewer was found" + limit;
+        return outcome;
+    }
+
+    Outcome attempt(mesh::QuadMesh &tried, std::optional<double> room) const {
         reference::Reference reference = reference::reference_of(tried);
         if (reference.surface)
             reference.surface_distance = reference::surface_distance_of(
-                tried, *reference.surface, outcome.faces_wanted, settings.tolerance);
-        run_schedule(tried, reference, {outcome.faces_wanted, exact, room}, cross_field, settings, tell);
-        Outcome result = outcome;
+                tried, *reference.surface, begin_.faces_wanted, settings_.tolerance);
+        run_schedule(tried, reference, {begin_.faces_wanted, exact_, room}, cross_field_, settings_, tell_);
+        Outcome result = begin_;
         result.faces_after = tried.n_faces();
-        describe(tried, reference, result.valences_after, result.singular_after, result.quality_after);
+        reference::count(tried, result.valences_after, result.singular_after);
+        result.quality_after = reference::least_quality(tried);
         return result;
-    };
-    const auto missing = [&](const Outcome &of) {
-        return exact ? std::abs(of.faces_after - of.faces_wanted) : 0;
-    };
-    // Sizes that are asked for need singular vertices, and in a plane the boundary does.
-    std::optional<mesh::QuadMesh> begun;
-    if (mesh.surface && mesh.dim() == 3 && mesh.field(Entity::vertex, "size") == nullptr)
-        begun = mesh;
-    outcome = attempt(mesh, std::nullopt);
-    std::string limit;
-    for (const double room : {some_room, no_room}) {
-        if (!begun || !rose(outcome) || (room == no_room && missing(outcome) == 0))
-            break;
-        mesh::QuadMesh tried = *begun;
-        const Outcome result = attempt(tried, room);
-        // The number of faces comes first; where it cannot be had, no singular vertices are made for it.
-        const auto rank = [&](const Outcome &of) {
-            return std::tuple(missing(of) != 0, rose(of), missing(of), of.singular_after);
-        };
-        if (rank(result) < rank(outcome)) {
-            outcome = result;
-            mesh = std::move(tried);
-            limit = " that would not leave more singular vertices than there were";
-            if (mesh.curves && !settings.edit_boundary)
-                limit += ", features having all their vertices but where they are straight";
-        }
     }
-    if (missing(outcome) != 0)
-        outcome.text = "the mesh has " + std::to_string(outcome.faces_after) + " faces where " +
-                       std::to_string(outcome.faces_wanted) +
-                       " were wanted; no valid filling with more or fewer was found" + limit;
-    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return outcome;
-}
+
+    std::int64_t missing(const Outcome &of) const {
+        return exact_ ? std::abs(of.faces_after - of.faces_wanted) : 0;
+    }
+
+    // The number of faces comes first; where it cannot be had, no singular vertices are made for it.
+    std::tuple<bool, bool, std::int64_t, std::int64_t> rank(const Outcome &of) const {
+        return {missing(of) != 0, rose(of), missing(of), of.singular_after};
+    }
+
+    mesh::QuadMesh &mesh_;
+    const bool exact_;
+    const Settings &settings_;
+    const Progress tell_;
+    std::optional<reference::CrossField> cross_field_;
+    Outcome begin_; // what there was
+};
 
 } // namespace
 
 Outcome adapt_whole(mesh::QuadMesh &mesh, double alpha, const Settings &settings, const Progress &progress) {
-    return rework(mesh, alpha, true, settings, progress);
+    return Rework(mesh, alpha, true, settings, progress).run();
 }
 
 Outcome reduce_whole(mesh::QuadMesh &mesh, const Settings &settings, const Progress &progress) {
-    return rework(mesh, 1, false, settings, progress);
+    return Rework(mesh, 1, false, settings, progress).run();
 }
 
 } // namespace alphamst::adapt

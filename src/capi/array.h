@@ -17,9 +17,9 @@ bool answer(const T *out, std::int64_t capacity, std::int64_t *needed, std::int6
     if (out == nullptr)
         return false;
     if (capacity < elements)
-        throw Refusal(AMST_ERR_BUFFER_TOO_SMALL, "the answer has " + std::to_string(elements) +
-                                                     " elements, the array holds " +
-                                                     std::to_string(capacity));
+        throw StatusFailure(AMST_ERR_BUFFER_TOO_SMALL, "the answer has " + std::to_string(elements) +
+                                                           " elements, the array holds " +
+                                                           std::to_string(capacity));
     return true;
 }
 

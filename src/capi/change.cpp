@@ -76,6 +76,20 @@ Change::Change(const char *name, const amst_mesh &mesh, const amst_patches *patc
     copy_->reset_origins();
 }
 
+Settings Change::settings(const Options &options) {
+    options_ = options;
+    const Context &context = *mesh_->context;
+    Settings settings = settings_of(options, context.threads);
+    if (context.log != nullptr)
+        settings.log = std::make_shared<const Log>(Log{
+            context.log_level, [this](int level, const std::string &message) {
+                const Context &context = *mesh_->context;
+                if (context.log != nullptr && level <= context.log_level) // a callback may have changed it
+                    context.log(context.log_user, level, (std::string(name_) + ": " + message).c_str());
+            }});
+    return settings;
+}
+
 Report Change::report_of(const std::vector<Outcome> &outcomes, bool exact) const {
     Report report;
     report.index_base = mesh_->context->index_base;
@@ -100,7 +114,8 @@ void Change::describe_meshes(Report &report) const {
     report.faces = {copy_->n_faces(), copy_->face_origin};
 }
 
-void Change::log(const std::vector<Outcome> &outcomes, const Report &report) const {
+void Change::log(const std::vector<Outcome> &outcomes, const std::vector<std::int32_t> &unused,
+                 const Report &report) const {
     const Context &context = *mesh_->context;
     if (context.log == nullptr)
         return;
@@ -116,17 +131,24 @@ void Change::log(const std::vector<Outcome> &outcomes, const Report &report) con
                     : "patch " + std::to_string(p + static_cast<std::size_t>(context.index_base));
             say(AMST_LOG_WARNING, std::string(name_) + ": " + what + " was left: " + outcomes[p].text);
         }
+    for (const std::int32_t key : unused)
+        say(AMST_LOG_WARNING,
+            std::string(name_) + ": " + option_name(key) + " was set and has no effect on this call");
     say(AMST_LOG_INFO, std::string(name_) + ": " + std::to_string(report.all.faces_before) +
                            " faces before, " + std::to_string(report.all.faces_after) + " after, in " +
                            std::to_string(report.all.seconds) + " s");
 }
 
-amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact, amst_report **report) {
+amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
+                           const std::vector<std::int32_t> &in_use, amst_report **report) {
     transfer::carry(*mesh_->current, *copy_, progress_);
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
     if (report != nullptr)
         describe_meshes(made->impl);
-    log(outcomes, made->impl);
+    const std::vector<std::int32_t> unused = unused_options(options_, in_use);
+    if (!unused.empty())
+        made->impl.all.unused_option = unused.front();
+    log(outcomes, unused, made->impl);
     progress_(1, "commit"); // last, so that a log function can cancel, too
     const amst_status status = made->impl.all.status;
     commit();

@@ -8,6 +8,7 @@
 
 #include "adapt/adapt.h"
 #include "capi/handles.h"
+#include "capi/options.h"
 
 namespace alphamst::capi {
 
@@ -19,12 +20,17 @@ public:
 
     mesh::QuadMesh &mesh() { return *copy_; }
     std::vector<Patch> &regions() { return regions_; }
-    int threads() const { return mesh_->context->threads; }
+    // With the threads and the log of the context.
+    Settings settings(const Options &options);
+    // The mesh keeps to a surface.
+    bool curved() const { return copy_->dim() == 3 && copy_->surface != nullptr; }
     const Progress &progress() const { return progress_; }
 
     // One outcome per patch, or one for the whole mesh; exact: a patch that has not the
-    // wanted faces makes the result partial. Writes *report unless report is null.
-    amst_status finish(const std::vector<Outcome> &outcomes, bool exact, amst_report **report);
+    // wanted faces makes the result partial. in_use: options that had an effect, see unused_options.
+    // Writes *report unless report is null.
+    amst_status finish(const std::vector<Outcome> &outcomes, bool exact,
+                       const std::vector<std::int32_t> &in_use, amst_report **report);
 
 private:
     // Marks the context as busy for as long as it lives.
@@ -41,7 +47,8 @@ private:
 
     Report report_of(const std::vector<Outcome> &outcomes, bool exact) const;
     void describe_meshes(Report &report) const;
-    void log(const std::vector<Outcome> &outcomes, const Report &report) const;
+    void log(const std::vector<Outcome> &outcomes, const std::vector<std::int32_t> &unused,
+             const Report &report) const;
     void commit() noexcept;
 
     const char *name_;
@@ -51,6 +58,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::shared_ptr<mesh::QuadMesh> copy_;
     std::vector<Patch> regions_;
+    Options options_;
     Progress progress_;
 };
 

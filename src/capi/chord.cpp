@@ -109,9 +109,9 @@ amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_option
         const int index = edge_in(mesh, edge);
         const Options chosen = options_of(options);
         Change change("collapse_chord", *mesh, nullptr);
-        const Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = change.settings(chosen);
         return change.finish({chords::collapse_chord(change.mesh(), index, rules_of(chosen), settings)}, true,
-                             report);
+                             {AMST_OPT_EDIT_BOUNDARY}, report);
     });
 }
 
@@ -122,10 +122,10 @@ amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, std::int32_t n, cons
         require_count(n);
         const Options chosen = options_of(options);
         Change change("split_chord", *mesh, nullptr);
-        const Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = change.settings(chosen);
         return change.finish(
             {chords::split_chord(change.mesh(), index, n, max_faces, rules_of(chosen), settings)}, true,
-            report);
+            {AMST_OPT_EDIT_BOUNDARY}, report);
     });
 }
 
@@ -143,9 +143,9 @@ amst_status amst_insert_chords(amst_mesh *mesh, amst_patches *patches, std::int3
         if (most > max_faces)
             throw Failure(Fault::range, "n is " + std::to_string(n) +
                                             "; the mesh would have more faces than 32-bit ids can name");
-        const Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = change.settings(chosen);
         return change.finish(
             chords::insert_chords(change.mesh(), change.regions(), n, settings, change.progress()), true,
-            report);
+            {AMST_OPT_MIN_QUALITY, AMST_OPT_CHART}, report);
     });
 }

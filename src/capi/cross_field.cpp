@@ -15,7 +15,7 @@ amst_status amst_mesh_compute_cross_field(amst_mesh *mesh, const amst_options *o
     return guarded(index_base(mesh), [&] {
         Mesh &target = *required(mesh, "mesh").impl;
         target.context->require_idle();
-        const auto sweeps = static_cast<int>(options_of(options).smooth_steps);
+        const int sweeps = options_of(options).smooth_steps;
         auto field = std::make_shared<mesh::Field>();
         field->entity = Entity::face;
         field->name = "cross";

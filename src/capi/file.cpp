@@ -125,7 +125,7 @@ amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_optio
         required(path, "path");
         amst_mesh *&created = required(out, "out");
         std::shared_ptr<mesh::QuadMesh> mesh(
-            new mesh::QuadMesh(mesh_of(all_quad(io::read(path), quadrangulation_of(options)))));
+            new mesh::QuadMesh(mesh_of(all_quad(io::read(path), options_of(options).quadrangulate))));
         created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
     });
 }

@@ -140,7 +140,7 @@ amst_status record_exception(int index_base) noexcept {
     slot.patch = index_base - 1;
     try {
         throw;
-    } catch (const Refusal &refusal) {
+    } catch (const StatusFailure &refusal) {
         keep(refusal, index_base);
         return refusal.status;
     } catch (const Failure &failure) {
@@ -165,7 +165,7 @@ void require_array(const void *array, std::int64_t count, const char *array_name
     if (count < 0)
         throw Failure(Fault::range, std::string(count_name) + " is negative: " + std::to_string(count));
     if (count > 0 && array == nullptr)
-        throw Refusal(AMST_ERR_NULL, std::string(array_name) + " is NULL");
+        throw StatusFailure(AMST_ERR_NULL, std::string(array_name) + " is NULL");
 }
 
 void require_real(double value, double low, bool open, const char *name) {

@@ -13,9 +13,9 @@
 namespace alphamst::capi {
 
 // A failure that only the interface knows, with its status.
-class Refusal : public Failure {
+class StatusFailure : public Failure {
 public:
-    Refusal(amst_status status, std::string text)
+    StatusFailure(amst_status status, std::string text)
         : Failure(Fault::argument, std::move(text)), status(status) {}
 
     amst_status status;
@@ -56,7 +56,7 @@ template <typename Body> amst_status guarded(int index_base, Body &&body) noexce
 // *pointer, or the refusal of NULL that names the parameter.
 template <typename T> T &required(T *pointer, const char *name) {
     if (pointer == nullptr)
-        throw Refusal(AMST_ERR_NULL, std::string(name) + " is NULL");
+        throw StatusFailure(AMST_ERR_NULL, std::string(name) + " is NULL");
     return *pointer;
 }
 

@@ -1,5 +1,5 @@
-// What the handles point to. A handle owns a target_count of its object; children own a
-// target_count of their parent's, so that handles can be destroyed in any order.
+// What the handles point to. A handle owns a share of its object; children own a
+// share of their parent's, so that handles can be destroyed in any order.
 #pragma once
 
 #include <atomic>
@@ -43,12 +43,12 @@ struct Mesh {
     };
 
     std::shared_ptr<Context> context;
-    std::shared_ptr<mesh::QuadMesh> current; // a savepoint may target_count it
+    std::shared_ptr<mesh::QuadMesh> current; // a savepoint may share it
     std::int64_t revision = 0;
     std::int64_t last_revision = 0; // the largest ever given out
     std::vector<Savepoint> savepoints;
 
-    // The current mesh, to be changed in place: no savepoint target_counts it afterwards.
+    // The current mesh, to be changed in place: no savepoint shares it afterwards.
     mesh::QuadMesh &writable();
 };
 
@@ -68,6 +68,7 @@ struct Report {
         std::int64_t faces_before = 0, faces_after = 0, faces_wanted = 0;
         std::int64_t singular_before = 0, singular_after = 0, singular_bound = 0;
         std::int64_t candidate = 0;
+        std::int64_t unused_option = AMST_OPTION_INVALID;
         double quality_before = 0, quality_after = 0, seconds = 0;
         std::map<int, std::int64_t> valences_before, valences_after;
     };

@@ -35,8 +35,8 @@ void edge_pairs(const amst_mesh *handle, amst_id *out, std::int64_t capacity, st
 } // namespace
 
 mesh::QuadMesh &Mesh::writable() {
-    const auto target_counts = [&](const Savepoint &savepoint) { return savepoint.mesh == current; };
-    if (std::any_of(savepoints.begin(), savepoints.end(), target_counts))
+    const auto shares = [&](const Savepoint &savepoint) { return savepoint.mesh == current; };
+    if (std::any_of(savepoints.begin(), savepoints.end(), shares))
         current = std::make_shared<mesh::QuadMesh>(*current);
     return *current;
 }

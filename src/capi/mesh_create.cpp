@@ -105,9 +105,9 @@ void create(amst_context *ctx, std::int32_t dim, const double *coords, std::int6
     std::vector<double> kept_points;
     std::vector<std::int32_t> kept_faces;
     // Built in place: the kernel has no move constructor.
-    std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(
-        build(dim, points_of(points, kept_points),
-              faces_of(corners, context->index_base, n_vertices, kept_faces), quadrangulation_of(options))));
+    std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(build(
+        dim, points_of(points, kept_points), faces_of(corners, context->index_base, n_vertices, kept_faces),
+        options_of(options).quadrangulate)));
     created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
 }
 

@@ -8,6 +8,25 @@
 using namespace alphamst;
 using namespace alphamst::capi;
 
+namespace {
+
+// Options that count wherever fillings are chosen, and those that do in space alone.
+std::vector<std::int32_t> for_fillings(bool curved) {
+    std::vector<std::int32_t> keys{AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT, AMST_OPT_MIN_QUALITY};
+    if (curved)
+        keys.insert(keys.end(), {AMST_OPT_ALIGN, AMST_OPT_CHART, AMST_OPT_TOLERANCE});
+    return keys;
+}
+
+std::vector<std::int32_t> for_whole_mesh(bool curved) {
+    std::vector<std::int32_t> keys = for_fillings(curved);
+    if (curved)
+        keys.push_back(AMST_OPT_EDIT_BOUNDARY);
+    return keys;
+}
+
+} // namespace
+
 // Options are copied before a change starts: from then on a callback may destroy any handle.
 
 amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, const amst_options *options,
@@ -17,16 +36,24 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
         require_real(alpha, 0, true, "alpha");
         const Options chosen = options_of(options);
         Change change("adapt", *mesh, patches);
-        const Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = change.settings(chosen);
         std::vector<Outcome> outcomes;
-        if (patches == nullptr && chosen.strategy == 1)
+        const bool by_chords = patches == nullptr && chosen.by_chords;
+        if (by_chords)
             outcomes = {chords::adapt_chords(change.mesh(), alpha, max_faces, rules_of(chosen), settings,
                                              change.progress())};
         else if (patches == nullptr)
             outcomes = {adapt::adapt_whole(change.mesh(), alpha, settings, change.progress())};
         else
             outcomes = adapt::adapt(change.mesh(), change.regions(), alpha, settings, change.progress());
-        return change.finish(outcomes, true, report);
+        std::vector<std::int32_t> in_use = for_fillings(change.curved());
+        if (by_chords)
+            in_use = {AMST_OPT_EDIT_BOUNDARY};
+        else if (patches == nullptr)
+            in_use = for_whole_mesh(change.curved());
+        if (patches == nullptr)
+            in_use.push_back(AMST_OPT_STRATEGY);
+        return change.finish(outcomes, true, in_use, report);
     });
 }
 
@@ -36,14 +63,14 @@ amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches, co
         required(mesh, "mesh");
         const Options chosen = options_of(options);
         Change change("reduce_singularities", *mesh, patches);
-        const Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = change.settings(chosen);
         std::vector<Outcome> outcomes;
         if (patches == nullptr)
             outcomes = {adapt::reduce_whole(change.mesh(), settings, change.progress())};
         else
             outcomes =
                 adapt::reduce_singularities(change.mesh(), change.regions(), settings, change.progress());
-        return change.finish(outcomes, false, report);
+        return change.finish(outcomes, false, for_fillings(change.curved()), report);
     });
 }
 
@@ -53,9 +80,9 @@ amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst
         required(mesh, "mesh");
         const Options chosen = options_of(options);
         Change change("smooth", *mesh, patches);
-        const Settings settings = settings_of(chosen, change.threads());
+        const Settings settings = change.settings(chosen);
         const std::vector<Patch> *regions = patches == nullptr ? nullptr : &change.regions();
-        return change.finish(smooth::smooth(change.mesh(), regions, settings, change.progress()), false,
+        return change.finish(smooth::smooth(change.mesh(), regions, settings, change.progress()), false, {},
                              report);
     });
 }
@@ -65,7 +92,11 @@ amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report
         required(mesh, "mesh");
         const Options chosen = options_of(options);
         Change change("clean", *mesh, nullptr);
-        const Settings settings = settings_of(chosen, change.threads());
-        return change.finish({adapt::clean(change.mesh(), settings, change.progress())}, false, report);
+        const Settings settings = change.settings(chosen);
+        const Outcome outcome = adapt::clean(change.mesh(), settings, change.progress());
+        std::vector<std::int32_t> in_use{AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT, AMST_OPT_MIN_QUALITY};
+        if (change.curved())
+            in_use.push_back(AMST_OPT_CHART);
+        return change.finish({outcome}, false, in_use, report);
     });
 }

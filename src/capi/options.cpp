@@ -1,7 +1,10 @@
 #include "capi/options.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include "capi/guard.h"
 #include "capi/handles.h"
@@ -9,36 +12,65 @@
 namespace alphamst::capi {
 namespace {
 
+// An option as the interface has it: a number, whatever the type of the member that holds it. Its default is
+// that of the member.
 template <typename T> struct Knob {
     std::int32_t key;
     const char *name;
-    T Options::*member;
+    T (*get)(const Options &);
+    void (*set)(Options &, T);
     T low, high;
 };
 
+template <auto member, typename T> constexpr Knob<T> knob(std::int32_t key, const char *name, T low, T high) {
+    return {key,
+            name,
+            [](const Options &options) { return static_cast<T>(options.*member); },
+            [](Options &options, T value) {
+                options.*member = static_cast<std::remove_cvref_t<decltype(options.*member)>>(value);
+            },
+            low,
+            high};
+}
+
+template <auto member>
+constexpr Knob<std::int64_t> integer(std::int32_t key, const char *name, std::int64_t low,
+                                     std::int64_t high) {
+    return knob<member, std::int64_t>(key, name, low, high);
+}
+
+template <auto member>
+constexpr Knob<double> real(std::int32_t key, const char *name, double low, double high) {
+    return knob<member, double>(key, name, low, high);
+}
+
 constexpr std::int64_t int_min = std::numeric_limits<std::int64_t>::min();
 constexpr std::int64_t int_max = std::numeric_limits<std::int64_t>::max();
+constexpr double most_patch_faces = std::numeric_limits<amst_id>::max();
 
 constexpr Knob<std::int64_t> integers[] = {
-    {AMST_OPT_SEED, "AMST_OPT_SEED", &Options::seed, int_min, int_max},
-    {AMST_OPT_SMOOTH_STEPS, "AMST_OPT_SMOOTH_STEPS", &Options::smooth_steps, 0, 1000},
-    {AMST_OPT_REPAIR_PATCHES, "AMST_OPT_REPAIR_PATCHES", &Options::repair_patches, 0, 1},
-    {AMST_OPT_CANDIDATES, "AMST_OPT_CANDIDATES", &Options::candidates, 1, 1000},
-    {AMST_OPT_NODE_LIMIT, "AMST_OPT_NODE_LIMIT", &Options::node_limit, 0, 1000000000},
-    {AMST_OPT_QUADRANGULATE, "AMST_OPT_QUADRANGULATE", &Options::quadrangulate, 0, 1},
-    {AMST_OPT_EDIT_BOUNDARY, "AMST_OPT_EDIT_BOUNDARY", &Options::edit_boundary, 0, 1},
-    {AMST_OPT_STRATEGY, "AMST_OPT_STRATEGY", &Options::strategy, 0, 1},
-    {AMST_OPT_ALIGN, "AMST_OPT_ALIGN", &Options::align, 0, 1},
-    {AMST_OPT_CHART, "AMST_OPT_CHART", &Options::chart, 0, 3},
+    integer<&Options::seed>(AMST_OPT_SEED, "AMST_OPT_SEED", int_min, int_max),
+    integer<&Options::smooth_steps>(AMST_OPT_SMOOTH_STEPS, "AMST_OPT_SMOOTH_STEPS", 0, 1000),
+    integer<&Options::repair_patches>(AMST_OPT_REPAIR_PATCHES, "AMST_OPT_REPAIR_PATCHES", 0, 1),
+    integer<&Options::candidates>(AMST_OPT_CANDIDATES, "AMST_OPT_CANDIDATES", 1, 1000),
+    integer<&Options::node_limit>(AMST_OPT_NODE_LIMIT, "AMST_OPT_NODE_LIMIT", 0, 1000000000),
+    integer<&Options::quadrangulate>(AMST_OPT_QUADRANGULATE, "AMST_OPT_QUADRANGULATE", 0, 1),
+    integer<&Options::edit_boundary>(AMST_OPT_EDIT_BOUNDARY, "AMST_OPT_EDIT_BOUNDARY", 0, 1),
+    integer<&Options::by_chords>(AMST_OPT_STRATEGY, "AMST_OPT_STRATEGY", 0, 1),
+    integer<&Options::align>(AMST_OPT_ALIGN, "AMST_OPT_ALIGN", 0, 1),
+    integer<&Options::chart>(AMST_OPT_CHART, "AMST_OPT_CHART", 0, 3),
 };
 
 constexpr Knob<double> reals[] = {
-    {AMST_OPT_MIN_QUALITY, "AMST_OPT_MIN_QUALITY", &Options::min_quality, 0, 1},
-    {AMST_OPT_MIN_CONVEXITY, "AMST_OPT_MIN_CONVEXITY", &Options::min_convexity, 0, 1},
-    {AMST_OPT_PATCH_FACES, "AMST_OPT_PATCH_FACES", &Options::patch_faces, 1,
-     std::numeric_limits<amst_id>::max()},
-    {AMST_OPT_TOLERANCE, "AMST_OPT_TOLERANCE", &Options::tolerance, 0.01, 100},
+    real<&Options::min_quality>(AMST_OPT_MIN_QUALITY, "AMST_OPT_MIN_QUALITY", 0, 1),
+    real<&Options::min_convexity>(AMST_OPT_MIN_CONVEXITY, "AMST_OPT_MIN_CONVEXITY", 0, 1),
+    real<&Options::patch_faces>(AMST_OPT_PATCH_FACES, "AMST_OPT_PATCH_FACES", 1, most_patch_faces),
+    real<&Options::tolerance>(AMST_OPT_TOLERANCE, "AMST_OPT_TOLERANCE", 0.01, 100),
 };
+
+static_assert(static_cast<int>(quadrangulate::Quadrangulation::pair) == 0 &&
+              static_cast<int>(quadrangulate::Quadrangulation::split) == 1 &&
+              static_cast<int>(ChartKind::mean_value) == 1 && static_cast<int>(ChartKind::low_stretch) == 3);
 
 template <typename T, std::size_t n> const Knob<T> &find(const Knob<T> (&knobs)[n], std::int32_t key) {
     for (const Knob<T> &knob : knobs)
@@ -52,35 +84,45 @@ template <typename T> void set(Options &options, const Knob<T> &knob, T value) {
         throw Failure(Fault::range, std::string(knob.name) + " must be in " + std::to_string(knob.low) +
                                         " .. " + std::to_string(knob.high) + ", it is " +
                                         std::to_string(value));
-    options.*knob.member = value;
+    knob.set(options, value);
 }
 
 } // namespace
 
 Options options_of(const amst_options *options) { return options == nullptr ? Options() : options->impl; }
 
-quadrangulate::Quadrangulation quadrangulation_of(const amst_options *options) {
-    return options_of(options).quadrangulate == 0 ? quadrangulate::Quadrangulation::pair
-                                                  : quadrangulate::Quadrangulation::split;
+std::vector<std::int32_t> unused_options(const Options &options, std::span<const std::int32_t> in_use) {
+    // Seed and smoothing are of use to every operation; the others that are not here are for patch sets and
+    // for triangles.
+    constexpr std::int32_t of_operations[] = {
+        AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT, AMST_OPT_EDIT_BOUNDARY, AMST_OPT_STRATEGY,
+        AMST_OPT_ALIGN,      AMST_OPT_CHART,      AMST_OPT_MIN_QUALITY,   AMST_OPT_TOLERANCE};
+    const Options defaults;
+    std::vector<std::int32_t> unused;
+    const auto look = [&](const auto &knobs) {
+        for (const auto &knob : knobs)
+            if (knob.get(options) != knob.get(defaults) &&
+                std::ranges::find(of_operations, knob.key) != std::end(of_operations) &&
+                std::ranges::find(in_use, knob.key) == in_use.end())
+                unused.push_back(knob.key);
+    };
+    look(integers);
+    look(reals);
+    return unused;
+}
+
+const char *option_name(std::int32_t key) {
+    return key < 1000 ? find(integers, key).name : find(reals, key).name;
 }
 
 chord::Rules rules_of(const Options &options) {
     chord::Rules rules;
-    rules.boundary = options.edit_boundary != 0;
+    rules.boundary = options.edit_boundary;
     return rules;
 }
 
 Settings settings_of(const Options &options, int threads) {
-    Settings settings;
-    settings.seed = static_cast<std::uint64_t>(options.seed);
-    settings.smooth_steps = static_cast<int>(options.smooth_steps);
-    settings.candidates = static_cast<int>(options.candidates);
-    settings.node_limit = options.node_limit;
-    settings.min_quality = options.min_quality;
-    settings.tolerance = options.tolerance;
-    settings.edit_boundary = options.edit_boundary != 0;
-    settings.align = options.align != 0;
-    settings.chart = static_cast<ChartKind>(options.chart);
+    Settings settings = options;
     settings.threads = threads;
     return settings;
 }
@@ -115,13 +157,13 @@ amst_status amst_options_set_real(amst_options *options, std::int32_t key, doubl
 amst_status amst_options_get_int(const amst_options *options, std::int32_t key, std::int64_t *value) {
     return guarded(0, [&] {
         const Options &settings = required(options, "options").impl;
-        required(value, "value") = settings.*find(integers, key).member;
+        required(value, "value") = find(integers, key).get(settings);
     });
 }
 
 amst_status amst_options_get_real(const amst_options *options, std::int32_t key, double *value) {
     return guarded(0, [&] {
         const Options &settings = required(options, "options").impl;
-        required(value, "value") = settings.*find(reals, key).member;
+        required(value, "value") = find(reals, key).get(settings);
     });
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "adapt/adapt.h"
 #include "alphamst/alphamst.h"
@@ -10,29 +12,23 @@
 
 namespace alphamst::capi {
 
-struct Options {
-    std::int64_t seed = 0;
-    std::int64_t smooth_steps = 20;
-    std::int64_t repair_patches = 1;
-    std::int64_t candidates = 16;
-    std::int64_t node_limit = 1000;
-    std::int64_t quadrangulate = 0;
-    std::int64_t edit_boundary = 0;
-    std::int64_t strategy = 0;
-    std::int64_t align = 0;
-    std::int64_t chart = 0;
-    double min_quality = 0;
+// Those of operations, and of what comes before them.
+struct Options : Settings {
+    bool repair_patches = true;
+    quadrangulate::Quadrangulation quadrangulate = quadrangulate::Quadrangulation::pair;
+    bool by_chords = false; // how whole meshes are adapted
     double min_convexity = 0.6;
     double patch_faces = 100;
-    double tolerance = 0.5;
 };
 
 // Those of the handle, all defaults for NULL.
 Options options_of(const amst_options *options);
 
-quadrangulate::Quadrangulation quadrangulation_of(const amst_options *options);
-
 chord::Rules rules_of(const Options &options);
+
+// Keys of the options of operations that are not at their default and not among those in use, ascending.
+std::vector<std::int32_t> unused_options(const Options &options, std::span<const std::int32_t> in_use);
+const char *option_name(std::int32_t key);
 
 Settings settings_of(const Options &options, int threads);
 

@@ -51,7 +51,7 @@ std::vector<char> taken(const Patches &patches) {
 
 // Appends the patch that these faces, none of them taken, make.
 void add(Patches &patches, Faces faces, const std::vector<char> &taken, amst_id *patch) {
-    if (!faces.empty() && patches.options.repair_patches != 0)
+    if (!faces.empty() && patches.options.repair_patches)
         faces = patch::repair(*patches.mesh->current, std::move(faces), taken);
     if (faces.empty())
         throw Failure(Fault::patch, "the patch would be empty: no face that is free was found, or none that "
@@ -113,7 +113,7 @@ amst_status amst_patches_add_faces(amst_patches *patches, const amst_id *faces, 
             const int face = in(base, faces[i], std::int64_t{set.mesh->current->n_faces()}, Entity::face);
             if (others[static_cast<std::size_t>(face)] == 0)
                 chosen.push_back(face);
-            else if (set.options.repair_patches == 0)
+            else if (!set.options.repair_patches)
                 refuse_taken(set, face);
         }
         std::sort(chosen.begin(), chosen.end());
@@ -166,8 +166,8 @@ amst_status amst_patches_decompose(amst_patches *patches, std::int32_t method, s
             throw Failure(Fault::argument, "there is no decomposition method " + std::to_string(method));
         const std::vector<char> others = taken(set);
         const auto decompose = decompositions[static_cast<std::size_t>(method)];
-        std::vector<Faces> parts = decompose(*set.mesh->current, set.options.patch_faces,
-                                             static_cast<std::uint64_t>(set.options.seed), others);
+        std::vector<Faces> parts =
+            decompose(*set.mesh->current, set.options.patch_faces, set.options.seed, others);
         std::erase_if(parts, [](const Faces &part) { return part.empty(); });
         set.regions.reserve(set.regions.size() + parts.size());
         for (Faces &part : parts)

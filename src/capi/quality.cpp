@@ -6,6 +6,7 @@
 #include "capi/array.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
+#include "reference/locate.h"
 
 namespace alphamst::capi {
 namespace {
@@ -20,20 +21,10 @@ quality::Metric metric_of(std::int32_t metric) {
     return static_cast<quality::Metric>(metric);
 }
 
-quality::Corners corners_of(const mesh::QuadMesh &mesh, int face) {
-    quality::Corners quad;
-    const std::array<int, 4> vertices = mesh.corners(face);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const OpenMesh::Vec3d &p = mesh.point(vertices[i]);
-        quad[i] = {p[0], p[1], p[2]};
-    }
-    return quad;
-}
-
 double mean_area(const mesh::QuadMesh &mesh) {
     double sum = 0;
     for (int f = 0; f < mesh.n_faces(); ++f)
-        sum += quality::measure(quality::Metric::area, corners_of(mesh, f), 1);
+        sum += quality::measure(quality::Metric::area, reference::quad_of(mesh, f), 1);
     return sum / mesh.n_faces();
 }
 
@@ -43,7 +34,7 @@ void measure(const mesh::QuadMesh &mesh, quality::Metric metric, double *out) {
                           metric == quality::Metric::shear_and_size;
     const double mean = relative ? mean_area(mesh) : 1;
     for (int f = 0; f < mesh.n_faces(); ++f)
-        out[f] = quality::measure(metric, corners_of(mesh, f), mean);
+        out[f] = quality::measure(metric, reference::quad_of(mesh, f), mean);
 }
 
 } // namespace

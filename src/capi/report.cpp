@@ -40,6 +40,8 @@ std::int64_t integer(const Report::Row &row, std::int32_t key) {
         return row.singular_bound;
     case AMST_RESULT_CANDIDATE:
         return row.candidate;
+    case AMST_RESULT_UNUSED_OPTION:
+        return row.unused_option;
     default:
         no_result(key);
     }

@@ -1,4 +1,4 @@
-// Undoing: savepoints target_count the mesh they remember until it changes.
+// Undoing: savepoints share the mesh they remember until it changes.
 #include <algorithm>
 #include <string>
 

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "chord/step.h"
+#include "index.h"
 #include "mesh/link.h"
 
 namespace alphamst::chord {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 template <class T> T value(const std::vector<T> &property, int id) {
     return property.empty() ? T{0} : property[at(id)];
@@ -118,24 +116,9 @@ std::int64_t faces_added(const Chord &chord, int copies) {
 }
 
 Judge::Judge(const mesh::QuadMesh &mesh, const Rules &rules)
-    : mesh_(mesh), rules_(rules), parent_(at(mesh.n_vertices())), edge_parent_(at(mesh.n_edges())),
-      group_(parent_.size(), -1), crossed_(edge_parent_.size(), 0), passed_(at(mesh.n_faces()), 0),
-      outside_(edge_parent_.size(), 0) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    std::iota(edge_parent_.begin(), edge_parent_.end(), 0);
-}
-
-int Judge::root(int vertex) {
-    while (parent_[at(vertex)] != vertex)
-        vertex = parent_[at(vertex)] = parent_[at(parent_[at(vertex)])];
-    return vertex;
-}
-
-int Judge::edge_root(int edge) {
-    while (edge_parent_[at(edge)] != edge)
-        edge = edge_parent_[at(edge)] = edge_parent_[at(edge_parent_[at(edge)])];
-    return edge;
-}
+    : mesh_(mesh), rules_(rules), vertices_(at(mesh.n_vertices())), edges_(at(mesh.n_edges())),
+      group_(at(mesh.n_vertices()), -1), crossed_(at(mesh.n_edges()), 0), passed_(at(mesh.n_faces()), 0),
+      outside_(at(mesh.n_edges()), 0) {}
 
 Collapse Judge::operator()(const Chord &chord) {
     Collapse result;
@@ -167,10 +150,11 @@ Collapse Judge::operator()(const Chord &chord) {
 // drawn together: the surface would be torn or pinched.
 void Judge::merge(const Chord &chord, Collapse &result) {
     for (const int side : chord.sides) {
-        const int a = root(start_of(mesh_.kernel(), side)), b = root(end_of(mesh_.kernel(), side));
+        const int a = vertices_.find(start_of(mesh_.kernel(), side)),
+                  b = vertices_.find(end_of(mesh_.kernel(), side));
         if (a == b)
             result.refuse(closes_up, Entity::edge, side / 2);
-        parent_[at(b)] = a;
+        vertices_.unite(a, b);
     }
 }
 
@@ -178,8 +162,7 @@ void Judge::merge(const Chord &chord, Collapse &result) {
 void Judge::glue(const Chord &chord, Collapse &result) {
     const mesh::Kernel &kernel = mesh_.kernel();
     for (std::size_t i = 0; i < chord.length(); ++i)
-        edge_parent_[at(edge_root(rail_at_end(kernel, chord.sides[i]) / 2))] =
-            edge_root(rail_at_start(kernel, chord.sides[i]) / 2);
+        edges_.unite(rail_at_start(kernel, chord.sides[i]) / 2, rail_at_end(kernel, chord.sides[i]) / 2);
     const auto rails = [&](std::size_t i) {
         return std::array{rail_at_end(kernel, chord.sides[i]), rail_at_start(kernel, chord.sides[i])};
     };
@@ -187,10 +170,10 @@ void Judge::glue(const Chord &chord, Collapse &result) {
         for (const int rail : rails(i)) {
             const int face = kernel.face_handle(Halfedge(rail ^ 1)).idx();
             if (face >= 0 && !passed_[at(face)])
-                outside_[at(edge_root(rail / 2))] = 1;
+                outside_[at(edges_.find(rail / 2))] = 1;
         }
     for (std::size_t i = 0; i < chord.length(); ++i)
-        if (const int edge = edge_root(rails(i)[0] / 2); !outside_[at(edge)])
+        if (const int edge = edges_.find(rails(i)[0] / 2); !outside_[at(edge)])
             result.refuse(closes_up, Entity::edge, edge);
 }
 
@@ -199,7 +182,7 @@ std::vector<Judge::Count> Judge::gather(const Chord &chord, Collapse &result) {
     std::vector<Count> counts;
     std::vector<int> seen;
     for (const int side : chord.sides) {
-        int &group = group_[at(root(start_of(kernel, side)))];
+        int &group = group_[at(vertices_.find(start_of(kernel, side)))];
         if (group < 0) {
             group = static_cast<int>(result.groups.size());
             result.groups.emplace_back();
@@ -268,19 +251,19 @@ void Judge::test_curves(Group &group, const Count &count, Collapse &result) cons
 // Nothing beside the chord may be doubled by the merger.
 void Judge::test_surroundings(const Group &group, Collapse &result) {
     const mesh::Kernel &kernel = mesh_.kernel();
-    const int self = root(group.survivor);
+    const int self = vertices_.find(group.survivor);
     neighbours_.clear();
     bool doubled = false;
     const auto visit = [&](int v) {
         mesh::around(kernel, v, [&](Halfedge h) {
             const int face = kernel.face_handle(h).idx();
             const int across = kernel.to_vertex_handle(kernel.next_halfedge_handle(h)).idx();
-            doubled |= face >= 0 && !passed_[at(face)] && root(across) == self;
+            doubled |= face >= 0 && !passed_[at(face)] && vertices_.find(across) == self;
             if (crossed_[at(h.idx() / 2)])
                 return;
-            const int neighbour = root(kernel.to_vertex_handle(h).idx());
+            const int neighbour = vertices_.find(kernel.to_vertex_handle(h).idx());
             doubled |= neighbour == self;
-            neighbours_.push_back({neighbour, edge_root(h.idx() / 2)});
+            neighbours_.push_back({neighbour, edges_.find(h.idx() / 2)});
         });
     };
     visit(group.survivor);
@@ -299,14 +282,14 @@ void Judge::clear(const Chord &chord) {
         const int side = chord.sides[i];
         crossed_[at(side / 2)] = 0;
         for (const int v : {start_of(kernel, side), end_of(kernel, side)}) {
-            parent_[at(v)] = v;
+            vertices_.separate(v);
             group_[at(v)] = -1;
         }
         if (i >= chord.length())
             continue;
         passed_[at(chord.faces[i])] = 0;
         for (const int rail : {rail_at_end(kernel, side), rail_at_start(kernel, side)}) {
-            edge_parent_[at(rail / 2)] = rail / 2;
+            edges_.separate(rail / 2);
             outside_[at(rail / 2)] = 0;
         }
     }

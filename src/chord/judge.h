@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "chord/trace.h"
+#include "disjoint_sets.h"
 #include "failure.h"
 
 namespace alphamst::chord {
@@ -79,8 +80,6 @@ private:
         int edges = 0, boundary_edges = 0, curve_edges = 0;
     };
 
-    int root(int vertex);
-    int edge_root(int edge);
     void merge(const Chord &chord, Collapse &result);
     void glue(const Chord &chord, Collapse &result);
     std::vector<Count> gather(const Chord &chord, Collapse &result);
@@ -92,10 +91,10 @@ private:
     const mesh::QuadMesh &mesh_;
     const Rules rules_;
     // Workspace, as at the start between two calls.
-    std::vector<int> parent_, edge_parent_; // union-find
-    std::vector<int> group_;                // [vertex, a root] of result.groups, else -1
-    std::vector<char> crossed_, passed_;    // [edge], [face] of the chord
-    std::vector<char> outside_;             // [edge, a root] a face beyond the glued rails
+    DisjointSets vertices_, edges_;      // merged, glued
+    std::vector<int> group_;             // [vertex, stands for others] of result.groups, else -1
+    std::vector<char> crossed_, passed_; // [edge], [face] of the chord
+    std::vector<char> outside_;          // [edge, stands for others] a face beyond the glued rails
     std::vector<std::array<int, 2>> neighbours_;
 };
 

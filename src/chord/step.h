@@ -1,12 +1,13 @@
 // One step along a chord.
 #pragma once
 
+#include "mesh/link.h"
 #include "mesh/quad_mesh.h"
 
 namespace alphamst::chord {
 
-using Halfedge = mesh::Kernel::HalfedgeHandle;
-using Vertex = mesh::Kernel::VertexHandle;
+using mesh::Halfedge;
+using mesh::Vertex;
 
 // The half-edge opposite in the face on the left, seen from beyond it: it points to the same side of
 // the chord.

@@ -7,37 +7,33 @@
 
 #include "chords/edit.h"
 #include "chords/faces.h"
+#include "disjoint_sets.h"
+#include "index.h"
 #include "reference/locate.h"
 #include "reference/reference.h"
-#include "refill/propose.h"
+#include "refill/patch.h"
 #include "smooth/smooth.h"
 
 namespace alphamst::chords {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 // Edges by numbers that stay while edges are removed, glued and renumbered.
 class Names {
 public:
-    explicit Names(int edges) : heir_(at(edges)), edge_(at(edges)), name_(at(edges)) {
-        for (std::vector<int> *numbers : {&heir_, &edge_, &name_})
+    explicit Names(int edges) : heirs_(at(edges)), edge_(at(edges)), name_(at(edges)) {
+        for (std::vector<int> *numbers : {&edge_, &name_})
             std::iota(numbers->begin(), numbers->end(), 0);
     }
 
     // -1: it went.
-    int edge(int name) {
-        while (heir_[at(name)] != name)
-            name = heir_[at(name)] = heir_[at(heir_[at(name)])];
-        return edge_[at(name)];
-    }
+    int edge(int name) { return edge_[at(heirs_.find(name))]; }
     int name(int edge) const { return name_[at(edge)]; }
 
     void follow(const chord::Chord &chord, const mesh::QuadMesh::Collapsed &collapsed) {
         for (const int side : chord.sides)
             edge_[at(name_[at(side / 2)])] = -1;
         for (const auto &[gone, kept] : collapsed.glued)
-            heir_[at(name_[at(gone)])] = name_[at(kept)];
+            heirs_.unite(name_[at(kept)], name_[at(gone)]);
         for (const auto &[from, to] : collapsed.moved_edges) {
             name_[at(to)] = name_[at(from)];
             edge_[at(name_[at(to)])] = to;
@@ -45,7 +41,8 @@ public:
     }
 
 private:
-    std::vector<int> heir_, edge_, name_;
+    DisjointSets heirs_; // names of edges that were glued
+    std::vector<int> edge_, name_;
 };
 
 // Whether a face beside the chord would invert that is upright now.
@@ -240,8 +237,7 @@ void split_chords(mesh::QuadMesh &mesh, std::int64_t most_faces, const chord::Ru
         }
         std::sort(fitting.begin(), fitting.end(), std::greater<>());
         for (const auto &[width, edge] : fitting) {
-            const chord::Chord chord =
-                chord::trace(mesh, edge); // longer, if one that it cross_field was split
+            const chord::Chord chord = chord::trace(mesh, edge); // longer, if one that it crosses was split
             if (mesh.n_faces() + chord::faces_added(chord, 1) > most_faces)
                 continue;
             mesh.split_chord(chord.sides, 1);

@@ -1,4 +1,4 @@
-// Operations on whole chords: they refine and refill::coarsen without new singular vertices.
+// Operations on whole chords: they refine and coarsen without new singular vertices.
 #pragma once
 
 #include "chord/judge.h"

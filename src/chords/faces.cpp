@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "quality/corner.h"
 #include "quality/metric.h"
 #include "reference/locate.h"
 #include "reference/reference.h"
@@ -17,14 +18,6 @@ void unique(std::vector<int> &ids) {
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-double least_quality(const mesh::QuadMesh &mesh) {
-    double least = 1;
-    for (int f = 0; f < mesh.n_faces(); ++f)
-        least = std::min(least,
-                         quality::measure(quality::Metric::scaled_jacobian, reference::quad_of(mesh, f), 1));
-    return least;
-}
-
 } // namespace
 
 bool upright(const geometry::Quad &quad, const std::optional<geometry::Plane> &plane) {
@@ -32,7 +25,7 @@ bool upright(const geometry::Quad &quad, const std::optional<geometry::Plane> &p
         return quality::measure(quality::Metric::scaled_jacobian, quad, 1) > 0;
     for (std::size_t k = 0; k < 4; ++k) {
         const Eigen::Vector3d a = quad[(k + 1) % 4] - quad[k], b = quad[(k + 3) % 4] - quad[k];
-        if (!(a.cross(b).dot(plane->normal()) > 0))
+        if (!(quality::determinant(a, b, plane->normal()) > 0))
             return false;
     }
     return true;
@@ -101,14 +94,14 @@ void keep_surface(mesh::QuadMesh &mesh) {
 
 Account::Account(const mesh::QuadMesh &mesh) {
     outcome_.faces_before = mesh.n_faces();
-    outcome_.quality_before = least_quality(mesh);
+    outcome_.quality_before = reference::least_quality(mesh);
     reference::count(mesh, outcome_.valences_before, outcome_.singular_before);
 }
 
 Outcome Account::close(const mesh::QuadMesh &mesh, std::int64_t wanted) {
     outcome_.faces_wanted = wanted;
     outcome_.faces_after = mesh.n_faces();
-    outcome_.quality_after = least_quality(mesh);
+    outcome_.quality_after = reference::least_quality(mesh);
     reference::count(mesh, outcome_.valences_after, outcome_.singular_after);
     outcome_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     return std::move(outcome_);

@@ -1,4 +1,4 @@
-// How a chord and the faces around it look: what its operations target_count.
+// How a chord and the faces around it look: what its operations share.
 #pragma once
 
 #include <chrono>

@@ -5,6 +5,7 @@
 
 #include "chords/edit.h"
 #include "reference/reference.h"
+#include "reference/statistics.h"
 #include "refill/cavity.h"
 
 namespace alphamst::chords {
@@ -47,13 +48,6 @@ void require_sides(const refill::Cavity &cavity, const std::vector<int> &corners
                               "the corners that were set are not the boundary vertices with one face"};
 }
 
-std::int64_t singular(const std::map<int, std::int64_t> &valences) {
-    std::int64_t sum = 0;
-    for (const auto &[valence, count] : valences)
-        sum += valence != 4 ? count : 0;
-    return sum;
-}
-
 // More vertices and faces come than go, so no other patch is renumbered.
 Outcome insert_rings(mesh::QuadMesh &mesh, Patch &patch, int n, const Settings &settings,
                      const reference::Reference &reference) {
@@ -61,6 +55,7 @@ Outcome insert_rings(mesh::QuadMesh &mesh, Patch &patch, int n, const Settings &
     Outcome outcome;
     outcome.faces_before = outcome.faces_after = outcome.faces_wanted =
         static_cast<std::int64_t>(patch.faces.size());
+    outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
     try {
         refill::Goal goal;
         goal.faces = outcome.faces_before;
@@ -70,10 +65,9 @@ Outcome insert_rings(mesh::QuadMesh &mesh, Patch &patch, int n, const Settings &
         const refill::PlacedFilling shape{ringed(cavity.old, n), {}};
         outcome.faces_wanted = static_cast<std::int64_t>(shape.filling.quads.size());
         outcome.valences_before = outcome.valences_after = cavity.valences(cavity.old);
-        outcome.singular_before = outcome.singular_after = singular(outcome.valences_before);
-        outcome.quality_before = outcome.quality_after = cavity.old_quality;
+        outcome.singular_before = outcome.singular_after = reference::singular(outcome.valences_before);
         require_sides(cavity, patch.corners);
-        const refill::CavityEmbedding laid = cavity.lay(shape);
+        const refill::CavityEmbedding laid = cavity.embed(shape);
         if (!laid.valid || laid.min_scaled_jacobian <= settings.min_quality)
             throw refill::Refusal{Fault::geometry,
                                   "the patch with its rings could not be given a valid shape; try "
@@ -84,8 +78,8 @@ Outcome insert_rings(mesh::QuadMesh &mesh, Patch &patch, int n, const Settings &
         patch.faces = std::move(replaced.faces);
         outcome.faces_after = outcome.faces_wanted;
         outcome.valences_after = cavity.valences(shape.filling);
-        outcome.singular_after = singular(outcome.valences_after);
-        outcome.quality_after = laid.min_scaled_jacobian;
+        outcome.singular_after = reference::singular(outcome.valences_after);
+        outcome.quality_after = reference::least_quality(mesh, patch.faces);
     } catch (const refill::Refusal &refusal) {
         outcome.fault = refusal.fault;
         outcome.text = refusal.text;

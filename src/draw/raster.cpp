@@ -10,20 +10,20 @@ namespace {
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
 // Twice the area of a, b and c as seen by the eye.
-double area(const Vector &a, const Vector &b, const Vector &c) {
+double area(const Vector3 &a, const Vector3 &b, const Vector3 &c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
 } // namespace
 
-Raster::Raster(const io::Arrays &mesh, const std::vector<Vector> &points, double width, double height,
+Raster::Raster(const io::Arrays &mesh, const std::vector<Vector3> &points, double width, double height,
                double cell)
     : cell_(cell), columns_(std::llround(std::ceil(width / cell)) + 1),
       rows_(std::llround(std::ceil(height / cell)) + 1),
       depths_(static_cast<std::size_t>(columns_ * rows_), nothing),
       faces_(static_cast<std::size_t>(columns_ * rows_), -1) {
     for (std::size_t f = 0; f < mesh.faces.size() / 4; ++f) {
-        std::array<Vector, 4> p;
+        std::array<Vector3, 4> p;
         for (std::size_t k = 0; k < 4; ++k)
             p[k] = points[static_cast<std::size_t>(mesh.faces[4 * f + k])];
         lay({p[0], p[1], p[2]}, static_cast<std::int32_t>(f));
@@ -39,7 +39,7 @@ std::int64_t Raster::row(double y) const {
     return std::clamp<std::int64_t>(std::llround(y / cell_), 0, rows_ - 1);
 }
 
-void Raster::lay(const std::array<Vector, 3> &triangle, std::int32_t face) {
+void Raster::lay(const std::array<Vector3, 3> &triangle, std::int32_t face) {
     const auto &[a, b, c] = triangle;
     const double whole = area(a, b, c);
     if (whole == 0)
@@ -48,7 +48,7 @@ void Raster::lay(const std::array<Vector, 3> &triangle, std::int32_t face) {
     const auto [low, high] = std::minmax({a[1], b[1], c[1]});
     for (std::int64_t j = row(low); j <= row(high); ++j)
         for (std::int64_t i = column(left); i <= column(right); ++i) {
-            const Vector at{static_cast<double>(i) * cell_, static_cast<double>(j) * cell_, 0};
+            const Vector3 at{static_cast<double>(i) * cell_, static_cast<double>(j) * cell_, 0};
             const double u = area(b, c, at) / whole, v = area(c, a, at) / whole, w = 1 - u - v;
             if (u < 0 || v < 0 || w < 0)
                 continue;
@@ -73,7 +73,7 @@ std::vector<bool> Raster::nearest(std::size_t n_faces) const {
     return is_nearest;
 }
 
-bool Raster::shows(const Vector &point) const {
+bool Raster::shows(const Vector3 &point) const {
     // On a visible slope one of the cells around is no nearer than the point. In a dent all are, by as
     // much as it is steep.
     const double steep = 4 * cell_;

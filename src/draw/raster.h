@@ -11,7 +11,7 @@ namespace alphamst::draw {
 class Raster {
 public:
     // The points are those of a drawing: 0..width to the right, 0..height up, and to the eye.
-    Raster(const io::Arrays &mesh, const std::vector<Vector> &points, double width, double height,
+    Raster(const io::Arrays &mesh, const std::vector<Vector3> &points, double width, double height,
            double cell);
 
     // Cells that show a face.
@@ -19,10 +19,10 @@ public:
     // The faces that are nearest in some cell.
     std::vector<bool> nearest(std::size_t n_faces) const;
     // Whether nothing is in front of that point, to within the size of a few cells.
-    bool shows(const Vector &point) const;
+    bool shows(const Vector3 &point) const;
 
 private:
-    void lay(const std::array<Vector, 3> &triangle, std::int32_t face);
+    void lay(const std::array<Vector3, 3> &triangle, std::int32_t face);
     std::int64_t column(double x) const;
     std::int64_t row(double y) const;
 

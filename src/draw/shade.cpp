@@ -8,8 +8,8 @@ namespace {
 
 constexpr double cells = 1250; // along the longer side
 
-Vector middle(const io::Arrays &mesh, const Drawing &drawing, std::size_t face) {
-    Vector sum{};
+Vector3 middle(const io::Arrays &mesh, const Drawing &drawing, std::size_t face) {
+    Vector3 sum{};
     for (std::size_t k = 0; k < 4; ++k)
         for (std::size_t c = 0; c < 3; ++c)
             sum[c] += drawing.points[static_cast<std::size_t>(mesh.faces[4 * face + k])][c] / 4;
@@ -34,7 +34,7 @@ bool is_closed(const io::Arrays &mesh) {
 double volume(const io::Arrays &mesh, const Drawing &drawing) {
     double sum = 0;
     for (std::size_t f = 0; f < mesh.faces.size() / 4; ++f)
-        sum += dot(middle(mesh, drawing, f), normal(mesh, drawing.points, f));
+        sum += dot_product(middle(mesh, drawing, f), normal(mesh, drawing.points, f));
     return sum;
 }
 
@@ -50,7 +50,7 @@ Scene::Scene(const io::Arrays &mesh, const Drawing &drawing)
     const std::vector<bool> nearest = raster_.nearest(n);
     std::vector<double> depth(n);
     for (std::size_t f = 0; f < n; ++f) {
-        const Vector centre = middle(mesh, drawing, f);
+        const Vector3 centre = middle(mesh, drawing, f);
         depth[f] = centre[2];
         // A face may be too small for a cell of its own.
         if ((closed_ && is_away(f)) || !(nearest[f] || raster_.shows(centre)))
@@ -65,23 +65,23 @@ Scene::Scene(const io::Arrays &mesh, const Drawing &drawing)
 
 // Of a quad that is not plane the half that faces the eye may be seen.
 bool Scene::is_away(std::size_t face) const {
-    const auto at = [&](std::size_t k) -> const Vector & {
+    const auto at = [&](std::size_t k) -> const Vector3 & {
         return drawing_.points[static_cast<std::size_t>(mesh_.faces[4 * face + k])];
     };
-    const Vector diagonal = difference(at(2), at(0));
-    return outside_ * cross(difference(at(1), at(0)), diagonal)[2] <= 0 &&
-           outside_ * cross(diagonal, difference(at(3), at(0)))[2] <= 0;
+    const Vector3 diagonal = difference(at(2), at(0));
+    return outside_ * cross_product(difference(at(1), at(0)), diagonal)[2] <= 0 &&
+           outside_ * cross_product(diagonal, difference(at(3), at(0)))[2] <= 0;
 }
 
 std::string Scene::tone(std::size_t face) const {
     using Colour = std::array<double, 3>;
-    constexpr int tones = 40; // more are not told apart, and equal ones target_count a path
+    constexpr int tones = 40; // more are not told apart, and equal ones share a path
     constexpr Colour blue_dark{74, 88, 112}, blue_light{238, 242, 248};
     constexpr Colour sand_dark{112, 96, 70}, sand_light{246, 236, 214};
-    const Vector light = unit({-0.45, 0.6, 0.75});
+    const Vector3 light = unit_vector({-0.45, 0.6, 0.75});
     const bool away = !closed_ && is_away(face);
     const double side = away ? -outside_ : outside_;
-    const double lit = side * dot(unit(normal(mesh_, drawing_.points, face)), light);
+    const double lit = side * dot_product(unit_vector(normal(mesh_, drawing_.points, face)), light);
     // Also what looks away from the light a little: the eye is shown no black.
     const double level = std::round(std::clamp((lit + 0.35) / 1.35, 0.0, 1.0) * tones) / tones;
     const Colour &dark = away ? sand_dark : blue_dark, &bright = away ? sand_light : blue_light;
@@ -100,8 +100,8 @@ bool Scene::shows(std::int32_t vertex) const {
 }
 
 bool Scene::shows_edge(std::int32_t v, std::int32_t w) const {
-    const Vector &a = drawing_.points[static_cast<std::size_t>(v)];
-    const Vector &b = drawing_.points[static_cast<std::size_t>(w)];
+    const Vector3 &a = drawing_.points[static_cast<std::size_t>(v)];
+    const Vector3 &b = drawing_.points[static_cast<std::size_t>(w)];
     return raster_.shows({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
 }
 

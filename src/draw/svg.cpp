@@ -17,10 +17,10 @@ namespace {
 constexpr std::int64_t margin = 250, legend_height = 500;
 
 // A minus sign separates as well as a blank.
-void append_number(std::string &text, std::int64_t number, bool first) {
+void append_coordinate(std::string &text, std::int64_t number, bool first) {
     if (!first && number >= 0)
         text += ' ';
-    io::append(text, number);
+    io::append_number(text, number);
 }
 
 // A closed loop in coordinates relative to `from`, which becomes its first corner.
@@ -29,8 +29,8 @@ void append_loop(std::string &text, const std::vector<Pixel> &corners, Pixel &fr
     for (std::size_t k = 0; k < corners.size(); ++k) {
         if (k < 2)
             text += k == 0 ? 'm' : 'l';
-        append_number(text, corners[k].x - here.x, k < 2);
-        append_number(text, corners[k].y - here.y, false);
+        append_coordinate(text, corners[k].x - here.x, k < 2);
+        append_coordinate(text, corners[k].y - here.y, false);
         here = corners[k];
     }
     text += 'z';
@@ -87,11 +87,11 @@ std::string outlines_path(const Picture &picture, const Drawing &drawing) {
 
 void append_line(std::string &text, Pixel from, Pixel to, Pixel &here) {
     text += 'm';
-    append_number(text, from.x - here.x, true);
-    append_number(text, from.y - here.y, false);
+    append_coordinate(text, from.x - here.x, true);
+    append_coordinate(text, from.y - here.y, false);
     text += 'l';
-    append_number(text, to.x - from.x, true);
-    append_number(text, to.y - from.y, false);
+    append_coordinate(text, to.x - from.x, true);
+    append_coordinate(text, to.y - from.y, false);
     here = to;
 }
 

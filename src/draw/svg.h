@@ -27,7 +27,7 @@ struct Picture {
 // arrays alone) and no outlines. The picture points to the mesh.
 Picture picture(const io::Arrays &mesh);
 
-// Seen as project() in io/view.h says. A curved mesh is shaded, and what lies behind its
+// Seen as project() in draw/view.h says. A curved mesh is shaded, and what lies behind its
 // faces is left out; the numbers below the picture are those of all. Throws Failure io.
 void write_svg(const std::string &path, const Picture &picture);
 

@@ -9,23 +9,23 @@
 
 namespace alphamst::draw {
 
-using Vector = std::array<double, 3>;
+using Vector3 = std::array<double, 3>;
 
-Vector cross(const Vector &a, const Vector &b);
-double dot(const Vector &a, const Vector &b);
-Vector difference(const Vector &a, const Vector &b);
-Vector unit(const Vector &a); // a itself where it has no length
+Vector3 cross_product(const Vector3 &a, const Vector3 &b);
+double dot_product(const Vector3 &a, const Vector3 &b);
+Vector3 difference(const Vector3 &a, const Vector3 &b);
+Vector3 unit_vector(const Vector3 &a); // a itself where it has no length
 
 // At right angles to the face, twice its area long.
-Vector normal(const io::Arrays &mesh, const std::vector<Vector> &points, std::size_t face);
+Vector3 normal(const io::Arrays &mesh, const std::vector<Vector3> &points, std::size_t face);
 
 struct Pixel {
     std::int64_t x, y; // y downwards
 };
 
 struct Drawing {
-    std::vector<Vector> points; // per vertex: to the right, up and to the eye, in units of the picture
-    std::vector<Pixel> pixels;  // per vertex
+    std::vector<Vector3> points; // per vertex: to the right, up and to the eye, in units of the picture
+    std::vector<Pixel> pixels;   // per vertex
     std::int64_t width = 0, height = 0;
     double edge = 0;     // mean length
     bool curved = false; // faces hide one another: not all in one plane

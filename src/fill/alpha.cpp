@@ -59,7 +59,7 @@ private:
             return;
         plans_.push_back(std::move(plan));
     }
-    void add_rings(Sides core, int b, int inside, std::int64_t core_faces, double stretch) {
+    void add_rings(const Sides &core, int b, int inside, std::int64_t core_faces, double stretch) {
         const auto corners = core.size();
         add({core, core, b, inside, core_faces, std::vector<std::int64_t>(corners, -1),
              static_cast<int>(corners) + inside, core_faces + ring_faces(b, query_.perimeter), stretch});

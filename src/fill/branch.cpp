@@ -62,11 +62,11 @@ void corner_branches(const Word &word, int v, Budget budget, const Visit &visit)
     }
     for (int d = 4; d + 4 <= length; d += 2) {
         const int u = at(v + d);
-        for (int target_count = 1; target_count + 2 <= letter(u); ++target_count) {
+        for (int share = 1; share + 2 <= letter(u); ++share) {
             Branch branch{{p, v, n, u},
                           {0, 0},
-                          {slice(word, n, u, letter(n) - 1, target_count),
-                           slice(word, u, p, letter(u) - 1 - target_count, letter(p) - 1)}};
+                          {slice(word, n, u, letter(n) - 1, share),
+                           slice(word, u, p, letter(u) - 1 - share, letter(p) - 1)}};
             offer(branch, visit);
         }
     }
@@ -93,15 +93,13 @@ void edge_branches(const Word &word, Budget budget, const Visit &visit) {
         if (!affordable(used))
             continue;
         for (int j = 3; j < length - 2; ++j)
-            for (int target_count = 1; target_count + 2 <= letter(j); ++target_count) {
-                const int rest = letter(j) - 1 - target_count;
-                Branch b{
-                    {0, 1, -2, j}, used, {slice(word, j, 0, target_count, rv), slice(word, 1, j, rn, rest)}};
+            for (int share = 1; share + 2 <= letter(j); ++share) {
+                const int rest = letter(j) - 1 - share;
+                Branch b{{0, 1, -2, j}, used, {slice(word, j, 0, share, rv), slice(word, 1, j, rn, rest)}};
                 b.parts[1].word.push_back(valence - 1);
                 b.parts[1].vertices.push_back(-2);
                 offer(b, visit);
-                Branch a{
-                    {0, 1, j, -1}, used, {slice(word, 1, j, rn, target_count), slice(word, j, 0, rest, rv)}};
+                Branch a{{0, 1, j, -1}, used, {slice(word, 1, j, rn, share), slice(word, j, 0, rest, rv)}};
                 a.parts[1].word.push_back(valence - 1);
                 a.parts[1].vertices.push_back(-1);
                 offer(a, visit);

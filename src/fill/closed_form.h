@@ -34,6 +34,6 @@ constexpr std::int64_t ring_faces(int b, int p) { return static_cast<std::int64_
 // Fewest valence-3/5 vertices of a polygon with 1 to 6 corners and sides >= 3; -1 if
 // the perimeter is odd. From exhaustive search with the exact filler; a chord that
 // returns to its own side cuts off two corners and so costs two valence-3 vertices.
-int least_singularities(const Sides &sides);
+int least_singularities(const Sides &n);
 
 } // namespace alphamst::fill

@@ -191,8 +191,7 @@ bool ExactFiller::Memory::build(const Word &word, const std::vector<int> &ids, B
     visit_branches(word, budget, [&](Branch &branch) { choices.push_back(branch); });
     Random random(seed);
     if (seed != 0)
-        for (std::size_t i = choices.size(); i > 1; --i)
-            std::swap(choices[i - 1], choices[random() % i]);
+        random.shuffle(choices);
     for (const Branch &branch : choices) {
         const Filling before = filling;
         const Budget rest{budget.v3 - branch.used.v3, budget.v5 - branch.used.v5};
@@ -221,7 +220,7 @@ bool ExactFiller::Memory::build_parts(const Branch &branch, const std::vector<in
         for (const int position : part.vertices)
             part_ids.back().push_back(id(position));
     }
-    // One part at a time, every target_count of budget and faces that leaves the others solvable.
+    // One part at a time, every share of budget and faces that leaves the others solvable.
     std::function<bool(std::size_t, Budget, int)> place = [&](std::size_t i, Budget left, int remaining) {
         const Word &word = branch.parts[i].word;
         if (i + 1 == branch.parts.size())

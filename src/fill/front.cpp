@@ -122,12 +122,12 @@ bool Front::offset() {
         const std::size_t i = (start + step) % length, before = (i + length - 1) % length;
         if (word[i] == 1)
             continue;
-        const bool target_counts = word[before] == 1;
-        if (target_counts) {
+        const bool shares = word[before] == 1;
+        if (shares) {
             first[i] = last[i] = last[(before + length - 1) % length];
             next_word.back() = 1;
         }
-        for (int k = target_counts ? 1 : 0; k < 2 * word[i] - 3; ++k) {
+        for (int k = shares ? 1 : 0; k < 2 * word[i] - 3; ++k) {
             const int v = vertices++;
             if (k == 0)
                 first[i] = v;

@@ -2,31 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <queue>
+
+#include "disjoint_sets.h"
 
 namespace alphamst::fill {
 namespace {
-
-class Groups { // union-find
-public:
-    explicit Groups(int n) : parent_(static_cast<std::size_t>(n)) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    int find(int i) {
-        while (parent_[static_cast<std::size_t>(i)] != i)
-            i = parent_[static_cast<std::size_t>(i)] =
-                parent_[static_cast<std::size_t>(parent_[static_cast<std::size_t>(i)])];
-        return i;
-    }
-    void join(int a, int b) {
-        a = find(a), b = find(b);
-        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-
-private:
-    std::vector<int> parent_;
-};
 
 using Edge = std::pair<int, int>;
 
@@ -54,15 +35,15 @@ struct Edges {
 
 // Chord of each edge, numbered from 0 in order of first edge.
 std::vector<int> chord_of_edges(const Edges &edges, int &chords) {
-    Groups groups(static_cast<int>(edges.ends.size()));
+    DisjointSets groups(edges.ends.size());
     for (const auto &quad : edges.of_quad) {
-        groups.join(quad[0], quad[2]);
-        groups.join(quad[1], quad[3]);
+        groups.unite(quad[0], quad[2]);
+        groups.unite(quad[1], quad[3]);
     }
     std::vector<int> chord(edges.ends.size(), -1), name(edges.ends.size(), -1);
     chords = 0;
     for (std::size_t e = 0; e < chord.size(); ++e) {
-        int &number = name[static_cast<std::size_t>(groups.find(static_cast<int>(e)))];
+        int &number = name[groups.find(e)];
         if (number < 0)
             number = chords++;
         chord[e] = number;
@@ -94,7 +75,7 @@ std::vector<char> stopping_vertices(const Filling &filling, const std::vector<in
 // through regular vertices: an edge belongs to the line of the edge opposite to it in the vertex's fan.
 std::vector<char> broken_lines(const Filling &filling, const Edges &edges, const std::vector<int> &faces,
                                const std::vector<char> &stops) {
-    Groups lines(static_cast<int>(edges.ends.size()));
+    DisjointSets lines(edges.ends.size());
     std::vector<std::vector<std::pair<std::size_t, std::size_t>>> around(
         static_cast<std::size_t>(filling.vertices));
     for (std::size_t q = 0; q < filling.quads.size(); ++q)
@@ -108,7 +89,7 @@ std::vector<char> broken_lines(const Filling &filling, const Edges &edges, const
                 const int out = edges.of_quad[q][k], in = edges.of_quad[q][(k + 3) % 4];
                 for (const auto &[r, l] : fan) // the quad after q has `in` as its outgoing edge
                     if (edges.of_quad[r][l] == in)
-                        lines.join(out, edges.of_quad[r][(l + 3) % 4]);
+                        lines.unite(out, edges.of_quad[r][(l + 3) % 4]);
             }
         } else if (stops[static_cast<std::size_t>(v)]) {
             for (const auto &[q, k] : fan) {
@@ -120,20 +101,20 @@ std::vector<char> broken_lines(const Filling &filling, const Edges &edges, const
     std::vector<char> line_stopped(edges.ends.size(), 0), broken(edges.ends.size(), 0);
     for (std::size_t e = 0; e < edges.ends.size(); ++e)
         if (stopped[e])
-            line_stopped[static_cast<std::size_t>(lines.find(static_cast<int>(e)))] = 1;
+            line_stopped[lines.find(e)] = 1;
     for (std::size_t e = 0; e < edges.ends.size(); ++e)
-        broken[e] = line_stopped[static_cast<std::size_t>(lines.find(static_cast<int>(e)))];
+        broken[e] = line_stopped[lines.find(e)];
     return broken;
 }
 
 // Chords on the two sides of an unbroken inner line are copies of one, which is the first of its class.
-Groups copied_chords(const Edges &edges, const std::vector<int> &chord, int chords,
-                     const std::vector<char> &broken) {
+DisjointSets copied_chords(const Edges &edges, const std::vector<int> &chord, int chords,
+                           const std::vector<char> &broken) {
     std::vector<int> quads_at(edges.ends.size(), 0);
     for (const auto &quad : edges.of_quad)
         for (const int e : quad)
             ++quads_at[static_cast<std::size_t>(e)];
-    Groups classes(chords);
+    DisjointSets classes(static_cast<std::size_t>(chords));
     std::vector<int> across(edges.ends.size(), -1);
     for (const auto &quad : edges.of_quad)
         for (std::size_t k = 0; k < 4; ++k) {
@@ -141,17 +122,19 @@ Groups copied_chords(const Edges &edges, const std::vector<int> &chord, int chor
             if (quads_at[e] != 2 || broken[e])
                 continue;
             const int beside = chord[static_cast<std::size_t>(quad[(k + 1) % 4])];
-            if (across[e] < 0)
+            if (across[e] < 0) {
                 across[e] = beside;
-            else
-                classes.join(across[e], beside);
+                continue;
+            }
+            const auto [first, later] = std::minmax({classes.find(across[e]), classes.find(beside)});
+            classes.unite(first, later);
         }
     return classes;
 }
 
 // The vertex of the blocks that each one of the filling is merged into. Numbered in the order of the
 // filling, in which the boundary comes first; says how many there are of either.
-std::vector<int> name_vertices(const Filling &filling, Groups &merged, Filling &blocks) {
+std::vector<int> name_vertices(const Filling &filling, DisjointSets &merged, Filling &blocks) {
     std::vector<int> name_of_group(static_cast<std::size_t>(filling.vertices), -1), name;
     int next = 0;
     for (int v = 0; v < filling.vertices; ++v) {
@@ -200,7 +183,7 @@ Layout extract(const Filling &filling, const std::vector<int> &corners) {
     const std::vector<int> faces = faces_at(filling);
     const std::vector<char> broken =
         broken_lines(filling, edges, faces, stopping_vertices(filling, faces, corners));
-    Groups classes = copied_chords(edges, chord, chords, broken);
+    DisjointSets classes = copied_chords(edges, chord, chords, broken);
     const auto stays = [&](int e) {
         const int c = chord[static_cast<std::size_t>(e)];
         return classes.find(c) == c;
@@ -212,10 +195,10 @@ Layout extract(const Filling &filling, const std::vector<int> &corners) {
     }
 
     // Collapse every chord that is not the first of its class.
-    Groups merged(filling.vertices);
+    DisjointSets merged(static_cast<std::size_t>(filling.vertices));
     for (std::size_t e = 0; e < edges.ends.size(); ++e)
         if (!stays(static_cast<int>(e)))
-            merged.join(edges.ends[e].first, edges.ends[e].second);
+            merged.unite(edges.ends[e].first, edges.ends[e].second);
     const std::vector<int> name = name_vertices(filling, merged, layout.blocks);
     for (const int c : corners)
         layout.corners.push_back(name[static_cast<std::size_t>(c)]);

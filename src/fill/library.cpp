@@ -116,7 +116,7 @@ std::vector<Layout> generate(const Sample &sample) {
     const int index = 4 - sample.sides;
     const int v3 = (sample.singularities + index) / 2, v5 = (sample.singularities - index) / 2;
     Sides sides(static_cast<std::size_t>(sample.sides), sample.shortest);
-    ExactFiller filler(100000000); // one for all: what they target_count is searched once
+    ExactFiller filler(100000000); // one for all: what they share is searched once
     auto search = [&] {
         const int perimeter = std::accumulate(sides.begin(), sides.end(), 0);
         if (perimeter % 2 != 0 || perimeter > sample.perimeter || !canonical(sides))

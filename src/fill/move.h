@@ -15,14 +15,19 @@ using Eight = std::int16_t __attribute__((vector_size(16))); // of gcc and clang
 struct Lanes {
     Eight low{}, high{};
     std::int16_t operator[](std::size_t j) const { return j < 8 ? low[j] : high[j - 8]; }
-    void set(std::size_t j, int value) { (j < 8 ? low[j] : high[j - 8]) = static_cast<std::int16_t>(value); }
+    void set(std::size_t j, int value) {
+        if (j < 8)
+            low[j] = static_cast<std::int16_t>(value);
+        else
+            high[j - 8] = static_cast<std::int16_t>(value);
+    }
 };
 
 // A change z, entries -2 to 2, of the multiplicities x:
 // faces(x + t z) = faces(x) + t (slope . x) + t^2 curvature.
 struct Move {
     // `product` as in Layout.
-    Move(const std::vector<int> &z, const std::vector<std::vector<int>> &product);
+    Move(const std::vector<int> &change, const std::vector<std::vector<int>> &product);
 
     Lanes z{}, slope{};
     std::int64_t curvature = 0;

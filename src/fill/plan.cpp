@@ -215,8 +215,7 @@ void Plan::Search::try_polygon(const Reading &option, int singularities, std::ve
         double mean = t.evenness / static_cast<double>(t.x.size()), spread = 0;
         for (const int copies : t.x)
             spread += std::pow(std::log(static_cast<double>(copies)) - mean, 2);
-        const double stretch =
-            std::sqrt(spread / static_cast<double>(t.x.size())) + option.approximation_error;
+        const double stretch = std::sqrt(spread / static_cast<double>(t.x.size())) + option.count_error;
         group.push_back({t.faces + laid, singularities, stretch, [option, t = std::move(t), boundary] {
                              const Filling rest =
                                  rotated(build(t, option.sides),

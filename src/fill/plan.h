@@ -17,11 +17,11 @@ struct Request {
     std::vector<double> angles; // [word] interior angle in degrees; empty: combinatorics only
     double least_sine = 0;      // of the angle that each face at a boundary vertex gets
     std::int64_t faces = 0;     // wanted
-    bool any_count = false;     // fewest singularities first, faces only as near as possible
+    bool any_count = false;     // fewest irregular vertices first, faces only as near as possible
     std::int64_t fewest = 0;    // any_count: faces in this range; 0: from half to twice as many
     std::int64_t most_faces = 0;
     std::int64_t tolerance = 2; // largest miss that is still offered when the count is not free
-    int fewer_than = 1 << 20;   // singularities
+    int fewer_than = 1 << 20;   // irregular vertices
     int most = 16;              // candidates
     std::int64_t node_limit = 1000;
     std::uint64_t seed = 0;
@@ -29,13 +29,13 @@ struct Request {
 
 struct Candidate {
     std::int64_t faces = 0;
-    int singularities = 0; // inside, and boundary vertices whose letter is not the regular one
+    int singularities = 0; // irregular vertices: singular ones inside, boundary ones with another letter
     double stretch = 0;    // among equal numbers: larger is likely to be less well shaped
     std::function<Filling()> build;
 };
 
 // Groups of candidates, made as they are asked for: exact face count first, then fewest
-// singularities (any_count: the other way round); within a group the likely best shape first.
+// irregular vertices (any_count: the other way round); within a group the likely best shape first.
 class Plan {
 public:
     explicit Plan(Request request);

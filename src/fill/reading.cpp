@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <set>
 
+#include "index.h"
+
 namespace alphamst::fill {
 namespace {
 
@@ -34,12 +36,12 @@ const std::vector<Reading> &Readings::up_to(int k) {
         }
     if (more)
         std::stable_sort(readings_.begin(), readings_.end(), [](const Reading &a, const Reading &b) {
-            return a.least != b.least ? a.least < b.least : a.approximation_error < b.approximation_error;
+            return a.least != b.least ? a.least < b.least : a.count_error < b.count_error;
         });
     return readings_;
 }
 
-// Whether giving the vertex this letter on the front makes it singular.
+// Whether giving the vertex this letter on the front makes it irregular.
 bool Readings::changes(const Front &front, std::size_t position, int letter) const {
     const auto id = static_cast<std::size_t>(front.ids[position]);
     if (id >= request_.word.size())
@@ -57,7 +59,7 @@ bool Readings::allowed(const Front &front, std::size_t position, int letter) con
     return angle < widest_corner && std::sin(angle * degree) >= request_.least_sine;
 }
 
-// Singular boundary vertices that are no longer on the front.
+// Irregular boundary vertices that are no longer on the front.
 int Readings::buried(const Front &front) const {
     std::vector<char> open(request_.word.size(), 0);
     for (const int id : front.ids)
@@ -155,10 +157,9 @@ std::vector<int> Readings::choose(const std::vector<int> &pool, const std::vecto
             }));
         }
     } else {
-        for (std::size_t k = 0; static_cast<int>(chosen.size()) < n && k < rest.size(); ++k) {
-            std::swap(rest[k], rest[k + random_() % (rest.size() - k)]);
-            chosen.push_back(rest[k]);
-        }
+        const int missing = std::clamp(n - static_cast<int>(chosen.size()), 0, static_cast<int>(rest.size()));
+        random_.shuffle_front(rest, at(missing));
+        chosen.insert(chosen.end(), rest.begin(), rest.begin() + missing);
     }
     std::sort(chosen.begin(), chosen.end());
     if (std::adjacent_find(chosen.begin(), chosen.end()) != chosen.end() ||
@@ -179,9 +180,9 @@ void Readings::add(const std::shared_ptr<const Front> &front, std::vector<int> c
     reading.natural =
         n == 4 ? 0.25 * (reading.sides[0] + reading.sides[2]) * (reading.sides[1] + reading.sides[3])
                : length * length / 16.0;
-    reading.approximation_error = std::abs(std::log(std::max(1.0, rest) / reading.natural));
+    reading.count_error = std::abs(std::log(std::max(1.0, rest) / reading.natural));
     if (n == 0)
-        reading.approximation_error = rest < 1.5 * length ? 10 : 0.2;
+        reading.count_error = rest < 1.5 * length ? 10 : 0.2;
     readings_.push_back(std::move(reading));
 }
 

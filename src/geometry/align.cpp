@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "geometry/star.h"
+#include "index.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -15,8 +16,6 @@ using Eigen::Vector3d;
 
 constexpr double careful = 0.4; // scaled Jacobian: worse ones are not made by moving a vertex
 constexpr double part = 0.5;    // of the way to where a vertex should be, in a step
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Corners of the square of this area around the middle of the quad, along the direction; of the four ways
 // to name them the one nearest to the corners of the quad.
@@ -52,7 +51,7 @@ std::array<Vector3d, 4> square(const std::array<int, 4> &quad, const SurfacePosi
 double worst_around(const Stars &stars, Quads quads, const SurfacePositions &on_surface, int vertex) {
     double worst = 1;
     for (const Sector &s : stars.at(vertex))
-        worst = std::min(worst, scaled_jacobian(quads[at(s.quad)], on_surface));
+        worst = std::min(worst, least_jacobian(quads[at(s.quad)], on_surface));
     return worst;
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/pieces.h"
+#include "index.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -18,8 +19,6 @@ constexpr std::array<std::array<double, 3>, 4> middles = {
 
 constexpr double straight = 0.999; // cosine between a normal and the way from the surface
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 } // namespace
 
 ApproximationError::ApproximationError(const surface::Surface &surface, Quads quads,
@@ -27,13 +26,13 @@ ApproximationError::ApproximationError(const surface::Surface &surface, Quads qu
     : surface_(surface), quads_(quads), places_(quads.size()), area_(quads.size(), 0) {
     for (std::size_t q = 0; q < quads.size(); ++q)
         for (Place &place : places_[q])
-            place.surface_triangle = on_surface.surface_triangles[index(quads[q][0])];
+            place.surface_triangle = on_surface.surface_triangles[alphamst::at(quads[q][0])];
 }
 
 void ApproximationError::measure(std::size_t quad, const SurfacePositions &on_surface) {
     std::array<Vector3d, 4> corners;
     for (std::size_t k = 0; k < 4; ++k)
-        corners[k] = on_surface.points[index(quads_[quad][k])];
+        corners[k] = on_surface.points[alphamst::at(quads_[quad][k])];
     const Vector3d diagonals[] = {corners[2] - corners[0], corners[3] - corners[1]};
     area_[quad] = diagonals[0].cross(diagonals[1]).norm() / 2;
     const std::size_t first = diagonals[0].squaredNorm() <= diagonals[1].squaredNorm() ? 0 : 1;

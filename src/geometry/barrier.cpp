@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "quality/corner.h"
+
 namespace alphamst::geometry {
 
 namespace {
@@ -40,11 +42,11 @@ inline void visit_corners(const Sector &s, const Points &points, const Vector2d 
     const Vector2d &p = points[static_cast<std::size_t>(s.previous)];
     const Vector2d a = n - x, b = p - x, u = o - n, w = o - p;
     const double aa = a.squaredNorm(), bb = b.squaredNorm(), uu = u.squaredNorm(), ww = w.squaredNorm();
-    visit(Form{aa + bb, -2 * (a.x() + b.x()), -2 * (a.y() + b.y()), 4, cross(a, b), n.y() - p.y(),
-               p.x() - n.x()},
+    visit(Form{aa + bb, -2 * (a.x() + b.x()), -2 * (a.y() + b.y()), 4, quality::determinant(a, b),
+               n.y() - p.y(), p.x() - n.x()},
           aa * bb);
-    visit(Form{aa + uu, -2 * a.x(), -2 * a.y(), 2, cross(a, u), -u.y(), u.x()}, aa * uu);
-    visit(Form{bb + ww, -2 * b.x(), -2 * b.y(), 2, cross(w, b), w.y(), -w.x()}, bb * ww);
+    visit(Form{aa + uu, -2 * a.x(), -2 * a.y(), 2, quality::determinant(a, u), -u.y(), u.x()}, aa * uu);
+    visit(Form{bb + ww, -2 * b.x(), -2 * b.y(), 2, quality::determinant(w, b), w.y(), -w.x()}, bb * ww);
 }
 
 } // namespace
@@ -62,8 +64,8 @@ double value(const Barrier &barrier, std::span<const Sector> star, const Points 
     return sum;
 }
 
-Expansion expand(const Barrier &barrier, std::span<const Sector> star, const Points &points,
-                 const Vector2d &x) {
+Expansion taylor_expansion(const Barrier &barrier, std::span<const Sector> star, const Points &points,
+                           const Vector2d &x) {
     const double shape = (1 - barrier.theta) / 2, size = barrier.theta / 2;
     Expansion e;
     for (const Sector &s : star) {
@@ -92,7 +94,7 @@ Expansion expand(const Barrier &barrier, std::span<const Sector> star, const Poi
 }
 
 double corner_value(const Barrier &barrier, const Eigen::Vector4d &edges, double wanted_area) {
-    const double d = (edges[0] * edges[3] - edges[1] * edges[2]) / wanted_area;
+    const double d = quality::determinant(edges) / wanted_area;
     const double n =
         ((1 - barrier.theta) * edges.squaredNorm() / wanted_area + barrier.theta * (1 + d * d)) / 2;
     const double c = chi(d, barrier.epsilon).value;
@@ -143,7 +145,7 @@ Eigen::Matrix4d projected_hessian(const Parts &h) {
 
 CornerExpansion expand_corner(const Barrier &barrier, const Eigen::Vector4d &edges, double wanted_area) {
     const double k = (1 - barrier.theta) / wanted_area, theta = barrier.theta;
-    const double d = (edges[0] * edges[3] - edges[1] * edges[2]) / wanted_area;
+    const double d = quality::determinant(edges) / wanted_area;
     const Eigen::Vector4d dd = Eigen::Vector4d(edges[3], -edges[2], -edges[1], edges[0]) / wanted_area;
     const Chi c = chi(d, barrier.epsilon);
     const double r = 1 / c.value, slope = c.slope * r;
@@ -161,9 +163,8 @@ CornerExpansion expand_corner(const Barrier &barrier, const Eigen::Vector4d &edg
 double worst_corner(std::span<const Sector> star, const Points &points, const Vector2d &x) {
     double worst = 1;
     for (const Sector &s : star)
-        visit_corners(s, points, x, [&](const Form &f, double lengths) {
-            const double square = lengths > 0 ? f.d * std::abs(f.d) / lengths : 0;
-            worst = std::min(worst, square);
+        visit_corners(s, points, x, [&](const Form &f, double squares) {
+            worst = std::min(worst, quality::signed_square(f.d, squares));
         });
     return worst;
 }

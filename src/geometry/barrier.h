@@ -30,8 +30,8 @@ struct Expansion {
 
 double value(const Barrier &barrier, std::span<const Sector> star, const Points &points,
              const Eigen::Vector2d &x);
-Expansion expand(const Barrier &barrier, std::span<const Sector> star, const Points &points,
-                 const Eigen::Vector2d &x);
+Expansion taylor_expansion(const Barrier &barrier, std::span<const Sector> star, const Points &points,
+                           const Eigen::Vector2d &x);
 
 // One corner as a function of its edges (a.x, a.y, b.x, b.y) = J; the Hessian is
 // projected onto the positive semi-definite matrices.

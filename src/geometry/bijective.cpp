@@ -3,6 +3,7 @@
 
 #include "geometry/parametrise.h"
 #include "geometry/star.h"
+#include "quality/corner.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -11,8 +12,8 @@ using Eigen::Vector2d;
 
 // Edges from a to b and from c to d have a point in common, or lie so that rounding cannot tell.
 bool meet(const Vector2d &a, const Vector2d &b, const Vector2d &c, const Vector2d &d) {
-    const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
-    const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
+    const double c_side = quality::determinant(b - a, c - a), d_side = quality::determinant(b - a, d - a);
+    const double a_side = quality::determinant(d - c, a - c), b_side = quality::determinant(d - c, b - c);
     const bool apart = (c_side > 0 && d_side > 0) || (c_side < 0 && d_side < 0) ||
                        (a_side > 0 && b_side > 0) || (a_side < 0 && b_side < 0);
     return !apart;
@@ -20,7 +21,7 @@ bool meet(const Vector2d &a, const Vector2d &b, const Vector2d &c, const Vector2
 
 // Edges from a to b and from b to c, the second back along the first.
 bool turns_back(const Vector2d &a, const Vector2d &b, const Vector2d &c) {
-    return cross(a - b, c - b) == 0 && (a - b).dot(c - b) >= 0;
+    return quality::determinant(a - b, c - b) == 0 && (a - b).dot(c - b) >= 0;
 }
 
 } // namespace

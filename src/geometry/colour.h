@@ -1,4 +1,4 @@
-// Free vertices in classes whose members target_count no quad, to be moved at the same time.
+// Free vertices in classes whose members share no quad, to be moved at the same time.
 #pragma once
 
 #include <vector>

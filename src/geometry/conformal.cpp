@@ -6,14 +6,14 @@
 #include "geometry/corner.h"
 #include "geometry/parametrise.h"
 #include "geometry/star.h"
+#include "index.h"
+#include "quality/corner.h"
 
 namespace alphamst::geometry {
 namespace {
 
 using Complex = std::complex<double>;
 using Triplets = std::vector<Eigen::Triplet<Complex>>;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Of the loop: the farthest from its first vertex, and the farthest from that.
 std::array<int, 2> far_apart(const Disk &disk) {
@@ -107,7 +107,8 @@ Points conformal(const Disk &disk) {
         for (std::size_t k = 0; k < 4; ++k) {
             const auto [a, b, c] = corner_of(quad, k);
             area += FlatTriangle(disk.points[at(a)], disk.points[at(b)], disk.points[at(c)]).twice_area;
-            flat_area += cross(positions[at(b)] - positions[at(a)], positions[at(c)] - positions[at(a)]);
+            flat_area += quality::determinant(positions[at(b)] - positions[at(a)],
+                                              positions[at(c)] - positions[at(a)]);
         }
     if (!(flat_area > 0))
         return {};

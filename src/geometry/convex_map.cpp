@@ -6,11 +6,10 @@
 
 #include "geometry/star.h"
 #include "geometry/tutte.h"
+#include "index.h"
 
 namespace alphamst::geometry {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<double> loop_lengths(const Disk &disk) {
     std::vector<double> lengths;
@@ -49,12 +48,12 @@ ConvexMap::ConvexMap(const Disk &disk)
     }
 }
 
-void ConvexMap::weigh_down(std::span<const double> target_count) {
+void ConvexMap::weigh_down(std::span<const double> share) {
     for (std::size_t i = 0; i < edges_.size();) {
         double sum = 0;
         std::size_t end = i;
         for (; end < edges_.size() && edges_[end].from == edges_[i].from; ++end)
-            sum += edges_[end].weight /= target_count[at(edges_[end].to)];
+            sum += edges_[end].weight /= share[at(edges_[end].to)];
         for (; i < end; ++i)
             edges_[i].weight /= sum;
     }
@@ -106,10 +105,10 @@ Points low_stretch_on_circle(const Disk &disk) {
     for (int round = 0; round < most_rounds && !best.empty(); ++round) {
         // Along a line of vertices, dividing by the roots makes each edge longer by its stretch: what is
         // wanted. The stretches themselves do so twice, and with a boundary far from round that is too much.
-        std::vector<double> target_counts = vertex_stretch(disk, best);
-        for (double &target_count : target_counts)
-            target_count = std::sqrt(target_count);
-        map.weigh_down(target_counts);
+        std::vector<double> shares = vertex_stretch(disk, best);
+        for (double &share : shares)
+            share = std::sqrt(share);
+        map.weigh_down(shares);
         Points next = map.solve();
         const double stretched = next.empty() ? HUGE_VAL : stretch(disk, next);
         if (!(stretched < least))

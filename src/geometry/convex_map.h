@@ -16,8 +16,8 @@ public:
     // value coordinates.
     explicit ConvexMap(const Disk &disk);
 
-    // Divides the weight of each vertex, for all of its neighbours, by its target_count.
-    void weigh_down(std::span<const double> target_count);
+    // Divides the weight of each vertex, for all of its neighbours, by its share.
+    void weigh_down(std::span<const double> share);
 
     // None where there is no solution.
     Points solve();

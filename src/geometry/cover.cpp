@@ -4,14 +4,13 @@
 #include <limits>
 
 #include "geometry/pieces.h"
+#include "index.h"
 #include "surface/triangle.h"
 
 namespace alphamst::geometry {
 namespace {
 
 using Eigen::Vector3d;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 } // namespace
 
@@ -25,8 +24,8 @@ void Cover::measure(std::size_t sample, const SurfacePositions &on_surface) {
     Place &place = places_[sample];
     double least = std::numeric_limits<double>::infinity();
     const auto look = [&](int q) {
-        const std::array<int, 4> &quad = quads_[index(q)];
-        const auto corner = [&](std::size_t k) { return on_surface.points[index(quad[k])]; };
+        const std::array<int, 4> &quad = quads_[alphamst::at(q)];
+        const auto corner = [&](std::size_t k) { return on_surface.points[alphamst::at(quad[k])]; };
         const std::size_t first =
             (corner(2) - corner(0)).squaredNorm() <= (corner(3) - corner(1)).squaredNorm() ? 0 : 1;
         for (const std::size_t half : {std::size_t{0}, std::size_t{2}}) {
@@ -46,7 +45,7 @@ void Cover::measure(std::size_t sample, const SurfacePositions &on_surface) {
                                               : Vector3d(Vector3d::Zero());
         }
     };
-    const std::array<int, 4> start = quads_[index(mine.quad)];
+    const std::array<int, 4> start = quads_[alphamst::at(mine.quad)];
     look(mine.quad);
     for (const int v : start)
         for (const Sector &sector : stars_.at(v))
@@ -58,7 +57,7 @@ void Cover::measure(const SurfacePositions &on_surface, const Run &run) {
     for (std::vector<int> &list : of_quad_)
         list.clear();
     for (std::size_t s = 0; s < samples_.size(); ++s)
-        of_quad_[index(samples_[s].quad)].push_back(static_cast<int>(s));
+        of_quad_[alphamst::at(samples_[s].quad)].push_back(static_cast<int>(s));
 }
 
 } // namespace alphamst::geometry

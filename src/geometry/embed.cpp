@@ -7,6 +7,7 @@
 #include "geometry/improve.h"
 #include "geometry/tutte.h"
 #include "geometry/untangle.h"
+#include "quality/corner.h"
 
 namespace alphamst::geometry {
 
@@ -20,17 +21,17 @@ constexpr int hasty_sweeps = 20;
 double enclosed_area(Loop loop) {
     double twice = 0;
     for (std::size_t i = 0; i < loop.size(); ++i)
-        twice += cross(loop[i] - loop[0], loop[(i + 1) % loop.size()] - loop[0]);
+        twice += quality::determinant(loop[i] - loop[0], loop[(i + 1) % loop.size()] - loop[0]);
     return twice / 2;
 }
 
-// The faces at a vertex of the loop can target_count its interior angle only if each gets less
+// The faces at a vertex of the loop can share its interior angle only if each gets less
 // than 180 degrees.
 bool angles_suffice(const Stars &stars, Loop loop) {
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vector2d next = loop[(i + 1) % n] - loop[i], previous = loop[(i + n - 1) % n] - loop[i];
-        double angle = std::atan2(cross(next, previous), next.dot(previous));
+        double angle = std::atan2(quality::determinant(next, previous), next.dot(previous));
         if (!(angle > 0))
             angle += 2 * std::numbers::pi;
         if (!(angle < std::numbers::pi * static_cast<double>(stars.at(static_cast<int>(i)).size())))

@@ -36,7 +36,7 @@ struct EmbedOptions {
     bool patient = true;               // false: untangle only what comes right soon
     double least_area = 0.005;         // of a corner, over the wanted one, that the smallest angles may cost
     std::span<const double> area = {}; // improve: [quad] wanted; empty: all equal
-    // improve on a surface: [vertex] where those that are on a feature_line may go; empty: there are none.
+    // improve on a surface: [vertex] where those that are on a feature line may go; empty: there are none.
     std::span<const FeatureLine> feature_lines = {};
     // improve: with it, vertices move in classes that do not touch; the result does not depend on how it
     // runs them.

@@ -12,7 +12,7 @@ namespace alphamst::geometry {
 struct FeatureLine {
     surface::Line line;
     std::array<int, 2> between = {
-        -1, -1}; // its neighbours on the line, not to be passed; -1: there is no feature_line
+        -1, -1}; // its neighbours on the line, not to be passed; -1: there is no feature line
 
     explicit operator bool() const { return between[0] >= 0; }
 

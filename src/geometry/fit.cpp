@@ -11,6 +11,8 @@
 #include "geometry/barrier.h"
 #include "geometry/cover.h"
 #include "geometry/star.h"
+#include "index.h"
+#include "quality/corner.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -33,8 +35,6 @@ constexpr int rounds = 15;
 constexpr int most_iterations = 100; // of the linear solver
 constexpr double accuracy = 1e-3;    // of its answer, relative
 constexpr int halvings = 3; // of the way of a quad that got worse, before it and those around it go all back
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The energy to second order around where the vertices are.
 class Fitter {
@@ -125,8 +125,7 @@ private:
         double least = 1;
         for (std::size_t k = 0; k < 4; ++k) {
             edges[k] << flat[(k + 1) % 4] - flat[k], flat[(k + 3) % 4] - flat[k];
-            least =
-                std::min(least, (edges[k][0] * edges[k][3] - edges[k][1] * edges[k][2]) / problem_.area[q]);
+            least = std::min(least, quality::determinant(edges[k]) / problem_.area[q]);
         }
         Barrier barrier{.theta = size_weight, .area = {}};
         if (!(least > tight))

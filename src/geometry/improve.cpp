@@ -8,6 +8,7 @@
 #include "geometry/newton.h"
 #include "geometry/sweep.h"
 #include "geometry/untangle.h"
+#include "quality/corner.h"
 
 namespace alphamst::geometry {
 
@@ -35,9 +36,8 @@ Worst worst_of(const Problem &problem, std::size_t q, const Points &points, bool
         if (movable && problem.fixed[c] && problem.fixed[n] && problem.fixed[p])
             continue;
         const Eigen::Vector2d a = points[n] - points[c], b = points[p] - points[c];
-        const double d = cross(a, b), lengths = a.squaredNorm() * b.squaredNorm();
-        worst.determinant = std::min(worst.determinant, d / problem.area[q]);
-        worst.scaled_jacobian = std::min(worst.scaled_jacobian, lengths > 0 ? d / std::sqrt(lengths) : 0.0);
+        worst.determinant = std::min(worst.determinant, quality::determinant(a, b) / problem.area[q]);
+        worst.scaled_jacobian = std::min(worst.scaled_jacobian, quality::scaled_jacobian(a, b));
     }
     return worst;
 }
@@ -164,10 +164,10 @@ Embedding improve(Quads quads, std::span<const char> fixed, Points positions, co
     Embedding start = judge(quads, std::move(positions));
     double area = 0;
     for (const auto &q : quads)
-        area += cross(start.positions[static_cast<std::size_t>(q[2])] -
-                          start.positions[static_cast<std::size_t>(q[0])],
-                      start.positions[static_cast<std::size_t>(q[3])] -
-                          start.positions[static_cast<std::size_t>(q[1])]) /
+        area += quality::determinant(start.positions[static_cast<std::size_t>(q[2])] -
+                                         start.positions[static_cast<std::size_t>(q[0])],
+                                     start.positions[static_cast<std::size_t>(q[3])] -
+                                         start.positions[static_cast<std::size_t>(q[1])]) /
                 2;
     if (!(area > 0) || !std::isfinite(area))
         return start;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "geometry/star.h"
+#include "quality/corner.h"
 
 namespace alphamst::geometry {
 
@@ -20,14 +21,15 @@ Judgement shapes_of(Quads quads, const Points &positions) {
         double worst = 1, sine = 1;
         for (std::size_t k = 0; k < 4; ++k) {
             const std::size_t before = (k + 3) % 4;
-            const double d = cross(edge[before], edge[k]), lengths = length[before] * length[k];
+            const double d = quality::determinant(edge[before], edge[k]),
+                         lengths = length[before] * length[k];
             // Not std::min: a NaN has to win.
             if (!(d >= determinant))
                 determinant = d;
-            if (const double s = lengths > 0 ? d / lengths : 0; !(s >= sine))
+            if (const double s = quality::scaled_jacobian(d, lengths); !(s >= sine))
                 sine = s;
             const double squares = length[before] * length[before] + length[k] * length[k];
-            if (const double s = squares > 0 ? 2 * d / squares : 0; !(s >= worst))
+            if (const double s = quality::corner_shape(d, squares); !(s >= worst))
                 worst = s;
         }
         if (!(worst >= shape))

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "quality/corner.h"
+
 namespace alphamst::geometry {
 
 namespace {
@@ -15,8 +17,6 @@ Eigen::Vector4d corner_edges(const std::array<int, 4> &quad, std::size_t k, cons
     edges << at(k + 1) - at(k), at(k + 3) - at(k);
     return edges;
 }
-
-double determinant(const Eigen::Vector4d &e) { return e[0] * e[3] - e[1] * e[2]; }
 
 // Newton's method on the vertices of a region, the corner Hessians projected.
 class RegionNewton {
@@ -156,7 +156,8 @@ double worst_determinant(const Problem &problem, std::span<const int> quads, con
     for (const int q : quads) {
         const auto i = static_cast<std::size_t>(q);
         for (std::size_t k = 0; k < 4; ++k)
-            worst = std::min(worst, determinant(corner_edges(problem.quads[i], k, points)) / problem.area[i]);
+            worst = std::min(worst, quality::determinant(corner_edges(problem.quads[i], k, points)) /
+                                        problem.area[i]);
     }
     return worst;
 }

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "quality/corner.h"
+
 namespace alphamst::geometry {
 namespace {
 
@@ -57,8 +59,6 @@ std::array<double, 2> nearest(const Vector3d &a, const Vector3d &b, const Vector
     return {ratio(at_b, sum), ratio(at_c, sum)};
 }
 
-double cross(const Vector2d &a, const Vector2d &b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // A triangle cut by three lines; each cut adds at most half as many corners as there are.
 struct Polygon {
     std::array<Vector2d, 12> corners;
@@ -68,14 +68,14 @@ struct Polygon {
     double area() const {
         double twice = 0;
         for (std::size_t i = 2; i < size; ++i)
-            twice += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+            twice += quality::determinant(corners[i - 1] - corners[0], corners[i] - corners[0]);
         return twice / 2;
     }
 };
 
-bool upright(const Triangle &t) { return cross(t[1] - t[0], t[2] - t[0]) > 0; }
+bool upright(const Triangle &t) { return quality::determinant(t[1] - t[0], t[2] - t[0]) > 0; }
 
-// The area two counter-clockwise triangles target_count: one is cut down by each side of the other in turn
+// The area two counter-clockwise triangles share: one is cut down by each side of the other in turn
 // (Sutherland and Hodgman 1974).
 double shared(const Triangle &one, const Triangle &other) {
     Polygon left;
@@ -86,7 +86,8 @@ double shared(const Triangle &one, const Triangle &other) {
         Polygon kept;
         for (std::size_t i = 0; i < left.size; ++i) {
             const Vector2d a = left.corners[i], b = left.corners[(i + 1) % left.size];
-            const double height_a = cross(along, a - from), height_b = cross(along, b - from);
+            const double height_a = quality::determinant(along, a - from),
+                         height_b = quality::determinant(along, b - from);
             if (height_a >= 0)
                 kept.add(a);
             if ((height_a > 0 && height_b < 0) || (height_a < 0 && height_b > 0))

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "quality/corner.h"
+
 namespace alphamst::geometry {
 
 namespace {
@@ -66,8 +68,8 @@ struct Angle {
     double sine, cotangent, determinant;
 };
 inline Angle angle(const Vector2d &a, const Vector2d &b) {
-    const double d = cross(a, b), dot = a.dot(b);
-    return {d / std::sqrt(a.squaredNorm() * b.squaredNorm()), dot / d, d};
+    const double d = quality::determinant(a, b), dot = a.dot(b);
+    return {quality::scaled_jacobian(a, b), dot / d, d};
 }
 
 inline double power8(double r) {
@@ -119,7 +121,7 @@ inline void add_sharp(Expansion &e, const Angle &corner, const Turn &t, double r
 
 double relax(const Barrier &barrier, std::span<const Sector> star, Points &points, int vertex, Floor floor,
              Freedom freedom) {
-    Expansion e = expand(barrier, star, points, points[static_cast<std::size_t>(vertex)]);
+    Expansion e = taylor_expansion(barrier, star, points, points[static_cast<std::size_t>(vertex)]);
     restrict_to(freedom, e);
     if (barrier.epsilon == 0 && floor <= 0)
         floor = no_floor; // the barrier alone keeps every corner positive

@@ -37,10 +37,6 @@ struct Problem {
     std::span<const double> area; // [quad] wanted area
 };
 
-inline double cross(const Eigen::Vector2d &a, const Eigen::Vector2d &b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 // Vertices whose star holds a vertex of the set, and the set itself; `layers` times.
 // Only free ones are kept. member is the set as flags and is brought up to date.
 void grow(const Stars &stars, std::span<const char> fixed, int layers, std::vector<int> &set,

@@ -9,6 +9,8 @@
 #include "geometry/relax.h"
 #include "geometry/sweep.h"
 #include "geometry/unfold.h"
+#include "index.h"
+#include "quality/corner.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -19,8 +21,6 @@ using Eigen::Vector3d;
 constexpr double size_weight = 0.6; // against shape: areas tell where the surface bends
 constexpr double tight = 0.1;       // corners that are hardly positive: determinant over the wanted area
 constexpr double careful = 0.4;     // scaled Jacobian: worse ones around a vertex are not made by moving it
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The corners of a quad: edge k leaves corner k; the normals are that of the surface and its own.
 struct Corners {
@@ -40,20 +40,20 @@ struct Corners {
     }
 
     double determinant(std::size_t k) const {
-        const Vector3d area = edge[(k + 3) % 4].cross(edge[k]);
-        return std::min(area.dot(normal), area.dot(own));
+        const Vector3d &before = edge[(k + 3) % 4], &next = edge[k];
+        return std::min(quality::determinant(before, next, normal), quality::determinant(before, next, own));
     }
 
     // The smallest scaled Jacobian.
     double sine() const {
         double worst = 1; // s |s|
         for (std::size_t k = 0; k < 4; ++k) {
-            const double d = determinant(k), squares = square[(k + 3) % 4] * square[k];
             // Not std::min: a NaN has to win.
-            if (const double s = squares > 0 ? d * std::abs(d) / squares : 0; !(s >= worst))
+            if (const double s = quality::signed_square(determinant(k), square[(k + 3) % 4] * square[k]);
+                !(s >= worst))
                 worst = s;
         }
-        return std::copysign(std::sqrt(std::abs(worst)), worst);
+        return quality::of_signed_square(worst);
     }
 };
 
@@ -85,12 +85,9 @@ double sine_against(const std::array<int, 4> &quad, const SurfacePositions &on_s
     }
     normal.normalize();
     double sine = 1;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double lengths = std::sqrt(edge[(k + 3) % 4].squaredNorm() * edge[k].squaredNorm());
-        const double s = lengths > 0 ? edge[(k + 3) % 4].cross(edge[k]).dot(normal) / lengths : 0;
-        if (!(s >= sine))
+    for (std::size_t k = 0; k < 4; ++k)
+        if (const double s = quality::scaled_jacobian(edge[(k + 3) % 4], edge[k], normal); !(s >= sine))
             sine = s;
-    }
     return sine;
 }
 
@@ -167,7 +164,7 @@ public:
     void sharpen() {
         sharpen_worst(
             problem_, options_.steps,
-            [this](std::size_t q) { return scaled_jacobian(problem_.quads[q], on_surface_); },
+            [this](std::size_t q) { return least_jacobian(problem_.quads[q], on_surface_); },
             [this](int v, double floor) { turn(v, floor); });
     }
 
@@ -179,8 +176,9 @@ private:
         for (const Sector &s : star.sectors) {
             const Vector2d a = p[at(s.next)] - p[0], b = p[at(s.previous)] - p[0],
                            u = p[at(s.opposite)] - p[at(s.next)], w = p[at(s.opposite)] - p[at(s.previous)];
-            least = std::min(least,
-                             std::min({cross(a, b), cross(a, u), cross(w, b)}) / problem_.area[at(s.quad)]);
+            least = std::min(least, std::min({quality::determinant(a, b), quality::determinant(a, u),
+                                              quality::determinant(w, b)}) /
+                                        problem_.area[at(s.quad)]);
         }
         return least;
     }
@@ -265,7 +263,7 @@ private:
     double worst_around(int v) const {
         double worst = 1;
         for (const Sector &s : problem_.stars.at(v))
-            worst = std::min(worst, scaled_jacobian(problem_.quads[at(s.quad)], on_surface_));
+            worst = std::min(worst, least_jacobian(problem_.quads[at(s.quad)], on_surface_));
         return worst;
     }
 
@@ -291,7 +289,7 @@ void SurfacePositions::put(int vertex, const surface::Spot &spot) {
     surface_triangles[at(vertex)] = spot.triangle;
 }
 
-double scaled_jacobian(const std::array<int, 4> &quad, const SurfacePositions &on_surface) {
+double least_jacobian(const std::array<int, 4> &quad, const SurfacePositions &on_surface) {
     return Corners(quad, on_surface).sine();
 }
 
@@ -307,8 +305,7 @@ std::vector<double> scaled_jacobians(Quads quads, const SurfacePositions &on_sur
     std::vector<double> result;
     result.reserve(quads.size());
     for (const auto &quad : quads)
-        result.push_back(
-            std::min(scaled_jacobian(quad, on_surface), sine_against(quad, on_surface, normals)));
+        result.push_back(std::min(least_jacobian(quad, on_surface), sine_against(quad, on_surface, normals)));
     return result;
 }
 
@@ -328,7 +325,7 @@ Judgement judge(Quads quads, const SurfacePositions &on_surface) {
             const double squares = corners.square[(k + 3) % 4] + corners.square[k];
             if (!(d >= result.min_determinant))
                 result.min_determinant = d;
-            if (const double s = squares > 0 ? 2 * d / squares : 0; !(s >= shape))
+            if (const double s = quality::corner_shape(d, squares); !(s >= shape))
                 shape = s;
         }
         if (!(sine >= result.min_scaled_jacobian))

@@ -7,6 +7,7 @@
 
 #include "geometry/newton.h"
 #include "geometry/relax.h"
+#include "quality/corner.h"
 
 namespace alphamst::geometry {
 
@@ -34,7 +35,7 @@ bool hopeless(const Problem &problem, std::span<const int> quads, const Points &
             const auto c = static_cast<std::size_t>(quad[k]), n = static_cast<std::size_t>(quad[(k + 1) % 4]),
                        p = static_cast<std::size_t>(quad[(k + 3) % 4]);
             if (problem.fixed[c] && problem.fixed[n] && problem.fixed[p] &&
-                !(cross(points[n] - points[c], points[p] - points[c]) > 0))
+                !(quality::determinant(points[n] - points[c], points[p] - points[c]) > 0))
                 return true;
         }
     }

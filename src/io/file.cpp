@@ -43,7 +43,7 @@ File open(const fs::path &path, const char *mode) {
 
 fs::path from_utf8(const char *verb, const std::string &path) {
     if (path.empty() || path.find('\0') != std::string::npos)
-        fail(verb, path.c_str(), ENOENT);
+        fail(verb, path.substr(0, path.find('\0')), ENOENT);
     return fs::path(std::u8string(path.begin(), path.end()));
 }
 

@@ -75,7 +75,7 @@ void append_points(std::string &text, const Arrays &mesh, const char *start) {
     for (std::size_t i = 0; i + 2 < mesh.points.size(); i += 3) {
         text += start;
         for (std::size_t k = 0; k < 3; ++k) {
-            append(text, mesh.points[i + k]);
+            append_number(text, mesh.points[i + k]);
             text += k < 2 ? ' ' : '\n';
         }
     }
@@ -85,7 +85,7 @@ void append_faces(std::string &text, const Arrays &mesh, const char *start, int 
     for (std::size_t i = 0; i + 3 < mesh.faces.size(); i += 4) {
         text += start;
         for (std::size_t k = 0; k < 4; ++k) {
-            append(text, std::int64_t{mesh.faces[i + k]} + first_number);
+            append_number(text, std::int64_t{mesh.faces[i + k]} + first_number);
             text += k < 3 ? ' ' : '\n';
         }
     }

@@ -326,11 +326,11 @@ void append_element(std::string &text, std::int64_t number, std::int64_t type, s
     // The elementary tag must not be 0; the marker itself keeps regions apart.
     const std::array<std::int64_t, 5> head{number, type, 2, marker, marker == 0 ? 1 : marker};
     for (std::int64_t i : head) {
-        append(text, i);
+        append_number(text, i);
         text += ' ';
     }
     for (std::size_t k = 0; k < n; ++k) {
-        append(text, std::int64_t{vertices[k]} + 1);
+        append_number(text, std::int64_t{vertices[k]} + 1);
         text += k + 1 < n ? ' ' : '\n';
     }
 }
@@ -343,10 +343,10 @@ std::string print_msh(const Arrays &mesh) {
     std::string text =
         "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(mesh.points.size() / 3) + "\n";
     for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
-        append(text, static_cast<std::int64_t>(i / 3 + 1));
+        append_number(text, static_cast<std::int64_t>(i / 3 + 1));
         for (std::size_t k = 0; k < 3; ++k) {
             text += ' ';
-            append(text, mesh.points[i + k]);
+            append_number(text, mesh.points[i + k]);
         }
         text += '\n';
     }

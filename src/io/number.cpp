@@ -55,12 +55,12 @@ Parsed parse(std::string_view word, double &value) {
     return Parsed::number;
 }
 
-void append(std::string &text, double value) {
+void append_number(std::string &text, double value) {
     std::array<char, 32> word; // the longest shortest double has 24 characters
     text.append(word.data(), std::to_chars(word.data(), word.data() + word.size(), value).ptr);
 }
 
-void append(std::string &text, std::int64_t value) {
+void append_number(std::string &text, std::int64_t value) {
     std::array<char, 24> word;
     text.append(word.data(), std::to_chars(word.data(), word.data() + word.size(), value).ptr);
 }

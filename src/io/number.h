@@ -16,7 +16,7 @@ Parsed parse(std::string_view word, std::int64_t &value);
 Parsed parse(std::string_view word, double &value);
 
 // Shortest text that reads back to the same double, bit for bit.
-void append(std::string &text, double value);
-void append(std::string &text, std::int64_t value);
+void append_number(std::string &text, double value);
+void append_number(std::string &text, std::int64_t value);
 
 } // namespace alphamst::io

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mesh/link.h"
+#include "quality/corner.h"
 
 namespace alphamst::mesh {
 
@@ -33,7 +34,7 @@ void check_halfedges(const Kernel &kernel) {
         if (kernel.prev_halfedge_handle(next) != h || kernel.next_halfedge_handle(previous) != h)
             fault("edge {} and the one behind it disagree about their order");
         if (kernel.from_vertex_handle(next) != to)
-            fault("edge {} and the one behind it do not target_count a vertex");
+            fault("edge {} and the one behind it do not share a vertex");
         if (kernel.face_handle(next) != kernel.face_handle(h))
             fault("edge {} and the one behind it are not at the same face");
         if (kernel.is_boundary(h) && kernel.is_boundary(opposite))
@@ -111,7 +112,7 @@ void check_orientation(const QuadMesh &mesh) {
             const auto &here = mesh.point(corners[i]);
             const auto next = mesh.point(corners[(i + 1) % 4]) - here;
             const auto previous = mesh.point(corners[(i + 3) % 4]) - here;
-            if (!(next[0] * previous[1] - next[1] * previous[0] > 0))
+            if (!(quality::determinant({next[0], next[1]}, {previous[0], previous[1]}) > 0))
                 throw Failure(
                     Fault::argument,
                     "face {} is inverted or flat at its corner {}; list its corners counter-clockwise, "

@@ -1,14 +1,13 @@
 // Zipping a chord up: everything is found and allocated first, then written without a throw.
 #include <algorithm>
 
+#include "index.h"
 #include "mesh/ids.h"
 #include "mesh/link.h"
 
 namespace alphamst::mesh {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void refuse(const char *text) { throw Failure(Fault::internal, text); }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "index.h"
 #include "mesh/feature.h"
 #include "surface/cross_field.h"
 #include "surface/principal.h"
@@ -26,8 +27,6 @@ constexpr double curve_weight = 100;
 // the surface does not depend on the faces there; up to the largest weight.
 constexpr double bend_weight = 8, most_bend_weight = 4;
 constexpr int rounds = 2; // of averaging curvatures
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Where a mesh is, moved and scaled to a box of side 2, so that no product overflows.
 class Places {
@@ -159,7 +158,7 @@ std::vector<double> cross_field(const QuadMesh &mesh, int sweeps) {
         add_bends(mesh, places, links, guides);
     std::vector<double> crosses;
     crosses.reserve(3 * at(mesh.n_faces()));
-    for (const Vector3d &direction : surface::cross_field(links, guides, sweeps))
+    for (const Vector3d &direction : surface::solve_cross_field(links, guides, sweeps))
         crosses.insert(crosses.end(), {direction.x(), direction.y(), direction.z()});
     return crosses;
 }

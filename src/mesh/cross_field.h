@@ -11,7 +11,7 @@ namespace alphamst::mesh {
 
 // [faces][3], in the plane of the face and of length one. Along the edges of the boundary, of features and
 // of borders of markers; where there are none along the principal directions of curvature, the more the
-// curvatures differ there; and as smooth as that allows. For `sweeps` see surface::cross_field.
+// curvatures differ there; and as smooth as that allows. For `sweeps` see surface::solve_cross_field.
 std::vector<double> cross_field(const QuadMesh &mesh, int sweeps);
 
 // Mean angle between the sides of faces and the nearest direction of the cross in the plane of the face,

@@ -22,7 +22,7 @@ struct Field {
     std::vector<double> values; // [entities][components]
 };
 
-// At most one field of a name on each kind of entity. Copies target_count the fields, none of which ever
+// At most one field of a name on each kind of entity. Copies share the fields, none of which ever
 // changes: a new one takes its place.
 class Fields {
 public:

@@ -1,4 +1,5 @@
-// The two loops over half-edges that building, replacing and checking target_count.
+// Names for what the kernel numbers, and the two loops over half-edges that building, replacing and checking
+// share.
 #pragma once
 
 #include <array>

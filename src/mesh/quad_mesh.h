@@ -85,10 +85,11 @@ public:
     }
 
     // What the vertices keep to while they move, shared by copies; not in the checksum. Null: as
-    // reference::surface_of, see mesh/reference.h, makes it when the first operation on a curved mesh begins.
+    // reference::surface_of, see reference/surface_of.h, makes it when the first operation on a curved mesh
+    // begins.
     std::shared_ptr<const surface::Surface> surface;
     // What vertices on features slide along, likewise. Brought up to date, see reference::curves_of in
-    // mesh/reference.h, when an operation begins that lets them.
+    // reference/surface_of.h, when an operation begins that lets them.
     std::shared_ptr<const surface::Curves> curves;
 
     // Where each vertex, edge and face was when origins were last reset; -1 if new.

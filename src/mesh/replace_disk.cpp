@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index.h"
 #include "mesh/ids.h"
 #include "mesh/link.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 using Quads = std::span<const std::array<int, 4>>;
 using Sides = std::vector<std::array<int, 4>>; // [quad][side]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void refuse(const char *text, Entity entity = Entity::none, std::vector<std::int64_t> ids = {}) {
     throw Failure(Fault::internal, text, entity, std::move(ids));

@@ -10,7 +10,7 @@
 
 namespace alphamst::mesh {
 
-void test_lengths(int dim, Points points, Faces faces) {
+void test_lengths(int dim, Coordinates points, Faces faces) {
     if (dim != 2 && dim != 3)
         throw Failure(Fault::argument, "the dimension of a mesh is 2 or 3");
     if (points.size() % 3 != 0)
@@ -23,7 +23,7 @@ void test_lengths(int dim, Points points, Faces faces) {
         throw Failure(Fault::range, "the mesh has more entities than 32-bit ids can name");
 }
 
-void test_points(Points points) {
+void test_points(Coordinates points) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!std::isfinite(points[i]))
             throw Failure(Fault::not_finite,

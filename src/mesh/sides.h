@@ -1,4 +1,4 @@
-// What building and quadrangulating target_count: the tests of points and faces, and the sides of
+// What building and quadrangulating share: the tests of points and faces, and the sides of
 // faces paired into edges.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace alphamst::mesh {
 
-using Points = std::span<const double>;      // [n][3]
+using Coordinates = std::span<const double>; // [n][3]
 using Faces = std::span<const std::int32_t>; // [n][4], the last corner of a triangle is -1
 
 inline bool is_triangle(Faces faces, std::size_t face) { return faces[4 * face + 3] < 0; }
@@ -29,8 +29,8 @@ inline std::size_t next_corner(Faces faces, std::size_t c) {
 }
 
 // These throw what QuadMesh::build says. Triangles only where they are allowed.
-void test_lengths(int dim, Points points, Faces faces);
-void test_points(Points points);
+void test_lengths(int dim, Coordinates points, Faces faces);
+void test_points(Coordinates points);
 void test_corners(Faces faces, std::size_t n_vertices, bool triangles);
 
 // Edges in ascending order of their vertices, smaller first.

@@ -2,13 +2,12 @@
 // one wide, or a square where the chord crosses itself.
 #include <algorithm>
 
+#include "index.h"
 #include "mesh/link.h"
 
 namespace alphamst::mesh {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 [[noreturn]] void refuse(const char *text) { throw Failure(Fault::internal, text); }
 

@@ -5,12 +5,11 @@
 #include <queue>
 #include <tuple>
 
+#include "index.h"
 #include "patch/region.h"
 
 namespace alphamst::patch {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 OpenMesh::Vec3d middle(const mesh::QuadMesh &mesh, int face) {
     OpenMesh::Vec3d sum(0, 0, 0);

@@ -8,12 +8,13 @@
 #include <span>
 #include <vector>
 
+#include "mesh/link.h"
 #include "mesh/quad_mesh.h"
 
 namespace alphamst::patch {
 
+using mesh::Halfedge;
 using mesh::Kernel;
-using Halfedge = Kernel::HalfedgeHandle;
 
 inline bool contains(std::span<const int> sorted, int id) {
     return std::binary_search(sorted.begin(), sorted.end(), id);

@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <queue>
 #include <tuple>
 
+#include "disjoint_sets.h"
+#include "index.h"
 #include "patch/decompose.h"
 #include "patch/region.h"
 
@@ -19,8 +20,7 @@ public:
 
     Groups around(std::span<const int> vertices) {
         balls_.resize(vertices.size());
-        parent_.resize(vertices.size());
-        std::iota(parent_.begin(), parent_.end(), 0);
+        united_ = DisjointSets(vertices.size());
         std::vector<int> fresh;
         for (int b = 0; b < n_balls(); ++b)
             for (const int face : mesh_.faces_around(vertices[at(b)]))
@@ -32,7 +32,7 @@ public:
         }
         Groups groups;
         for (int b = 0; b < n_balls(); ++b)
-            if (root(b) == b && !balls_[at(b)].nodes.empty())
+            if (united_.find(b) == b && !balls_[at(b)].nodes.empty())
                 groups.push_back(convexified(b));
         return groups;
     }
@@ -43,15 +43,8 @@ private:
     };
     static constexpr int none = -1;
 
-    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
     int n_balls() const { return static_cast<int>(balls_.size()); }
     std::size_t count(int ball) const { return balls_[at(ball)].nodes.size(); }
-
-    int root(int ball) {
-        while (parent_[at(ball)] != ball)
-            ball = parent_[at(ball)] = parent_[at(parent_[at(ball)])];
-        return ball;
-    }
 
     int node_of(int face) const {
         const auto it = std::lower_bound(dual_.faces.begin(), dual_.faces.end(), face);
@@ -76,7 +69,7 @@ private:
             if (next == none || next == node)
                 return false;
             if (owner_[at(next)] != none)
-                return root(owner_[at(next)]) == ball;
+                return united_.find(owner_[at(next)]) == ball;
             found.push_back(next);
             return true;
         };
@@ -119,11 +112,11 @@ private:
         for (const int node : fresh)
             for (const std::int32_t next : dual_.neighbours(at(node)))
                 if (owner_[at(next)] != none)
-                    meet(root(owner_[at(node)]), root(owner_[at(next)]));
+                    meet(united_.find(owner_[at(node)]), united_.find(owner_[at(next)]));
         while (!meeting.empty()) {
             const auto [together, first, second] = meeting.top();
             meeting.pop();
-            const int a = root(first), b = root(second);
+            const int a = united_.find(first), b = united_.find(second);
             if (a == b)
                 continue;
             if (count(a) + count(b) == together) {
@@ -137,7 +130,7 @@ private:
     void join(int a, int b) {
         if (count(a) < count(b))
             std::swap(a, b);
-        parent_[at(b)] = a;
+        united_.unite(a, b);
         for (auto list : {&Ball::nodes, &Ball::front}) {
             auto &to = balls_[at(a)].*list, &from = balls_[at(b)].*list;
             to.insert(to.end(), from.begin(), from.end());
@@ -153,7 +146,7 @@ private:
             for (const std::int32_t next : dual_.neighbours(at(nodes[i]))) {
                 const auto around = dual_.neighbours(at(next));
                 const auto sides = std::count_if(around.begin(), around.end(), [&](std::int32_t node) {
-                    return owner_[at(node)] != none && root(owner_[at(node)]) == ball;
+                    return owner_[at(node)] != none && united_.find(owner_[at(node)]) == ball;
                 });
                 if (sides >= 2 && nodes.size() < most)
                     claim(next, ball);
@@ -167,7 +160,7 @@ private:
     const FaceDual &dual_;
     double size_;
     std::vector<int> owner_; // [node] ball
-    std::vector<int> parent_;
+    DisjointSets united_{0};
     std::vector<Ball> balls_;
 };
 

@@ -9,7 +9,7 @@
 namespace alphamst::quadrangulate {
 
 // At the mean of vertices.
-inline std::int32_t add_vertex(QuadArrays &quads, std::initializer_list<std::int32_t> of) {
+inline std::int32_t append_vertex(QuadArrays &quads, std::initializer_list<std::int32_t> of) {
     const auto n = static_cast<double>(of.size());
     for (std::size_t k = 0; k < 3; ++k) {
         double mean = 0;
@@ -23,7 +23,7 @@ inline std::int32_t add_vertex(QuadArrays &quads, std::initializer_list<std::int
 // At the midpoint of an edge that has none yet.
 inline std::int32_t halve(QuadArrays &quads, std::int32_t v, std::int32_t w) {
     const auto [smaller, larger] = std::minmax(v, w);
-    const std::int32_t vertex = add_vertex(quads, {smaller, larger});
+    const std::int32_t vertex = append_vertex(quads, {smaller, larger});
     quads.midpoints.push_back({{smaller, larger}, vertex});
     return vertex;
 }

@@ -4,20 +4,18 @@
 #include <limits>
 #include <utility>
 
+#include "index.h"
+
 namespace alphamst::quadrangulate {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 std::size_t place(int node, int side) { return 3 * at(node) + at(side); }
 
 } // namespace
 
 Matching::Matching(const TriangleDual &dual)
     : dual_(dual), side_(dual.n_nodes(), -1), label_(dual.n_nodes(), Label::unseen),
-      before_(dual.n_nodes(), -1), base_(dual.n_nodes()), seen_(dual.n_nodes()) {
-    for (std::size_t i = 0; i < base_.size(); ++i)
-        base_[i] = static_cast<std::int32_t>(i);
-}
+      before_(dual.n_nodes(), -1), blossoms_(dual.n_nodes()), seen_(dual.n_nodes()) {}
 
 int Matching::mate(int node) const {
     if (side_[at(node)] < 0)
@@ -54,8 +52,8 @@ void Matching::augment(std::uint8_t stage) {
 }
 
 // A tree of alternating paths from the root: outer nodes are at the end of paths of even
-// length, inner ones of odd length. before_ is the node before an inner one, base_ leads to
-// the outer node that a contracted blossom counts as.
+// length, inner ones of odd length. before_ is the node before an inner one; for a contracted
+// blossom stands the outer node that it counts as.
 bool Matching::search(int root, std::size_t most) {
     if (label_[at(root)] == Label::removed)
         return false;
@@ -79,7 +77,7 @@ bool Matching::search(int root, std::size_t most) {
     if (queue_.size() <= most) { // a Hungarian tree
         for (const std::int32_t node : touched_) {
             label_[at(node)] = Label::removed;
-            base_[at(node)] = node;
+            blossoms_.separate(node);
         }
         touched_.clear();
     }
@@ -112,7 +110,7 @@ bool Matching::grow(int outer, std::uint8_t stage) {
             flip(node); // free, or no longer in need of the outside
             return true;
         case Label::outer:
-            if (base_of(outer) != base_of(node)) {
+            if (blossoms_.find(outer) != blossoms_.find(node)) {
                 const int base = common_base(outer, node);
                 contract(outer, node, base);
                 contract(node, outer, base);
@@ -127,7 +125,7 @@ bool Matching::grow(int outer, std::uint8_t stage) {
 
 // Makes outer all nodes from v down to the base of the blossom that v and w close.
 void Matching::contract(int v, int w, int base) {
-    while (base_of(v) != base) {
+    while (blossoms_.find(v) != base) {
         before_[at(v)] = w;
         w = mate(v);
         if (label_[at(w)] == Label::inner) {
@@ -135,8 +133,8 @@ void Matching::contract(int v, int w, int base) {
             queue_.push_back(w);
         }
         for (const int node : {v, w})
-            if (base_[at(node)] == node)
-                base_[at(node)] = base;
+            if (blossoms_.find(node) == node)
+                blossoms_.unite(base, node);
         v = before_[at(w)];
     }
 }
@@ -145,21 +143,13 @@ int Matching::common_base(int v, int w) {
     for (++clock_;; std::swap(v, w)) {
         if (v < 0)
             continue;
-        v = base_of(v);
+        v = blossoms_.find(v);
         if (seen_[at(v)] == clock_)
             return v;
         seen_[at(v)] = clock_;
         const int inner = mate(v);
         v = inner < 0 ? -1 : before_[at(inner)];
     }
-}
-
-int Matching::base_of(int node) {
-    while (base_[at(node)] != node) {
-        base_[at(node)] = base_[at(base_[at(node)])];
-        node = base_[at(node)];
-    }
-    return node;
 }
 
 void Matching::touch(int node, Label label) {
@@ -170,7 +160,7 @@ void Matching::touch(int node, Label label) {
 void Matching::forget() {
     for (const std::int32_t node : touched_) {
         label_[at(node)] = Label::unseen;
-        base_[at(node)] = node;
+        blossoms_.separate(node);
     }
     touched_.clear();
 }

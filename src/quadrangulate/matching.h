@@ -1,10 +1,12 @@
-// Matching in a graph whose nodes have at most three edges, such as triangles that target_count sides.
+// Matching in a graph whose nodes have at most three edges, such as triangles that share sides.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "disjoint_sets.h"
 
 namespace alphamst::quadrangulate {
 
@@ -22,7 +24,7 @@ struct TriangleDual {
 };
 
 // Of largest cardinality: after the cheapest edges that still fit, augmenting paths by the
-// algorithm of Edmonds (1965) with blossoms in a union-find structure (Gabow 1976). Searches
+// algorithm of Edmonds (1965) with blossoms in disjoint sets (Gabow 1976). Searches
 // are cut short at first, so that most paths are; a search that ends without a path takes its
 // nodes out of all later ones, as they cannot be on any.
 class Matching {
@@ -46,7 +48,6 @@ private:
     bool grow(int outer, std::uint8_t stage);
     void contract(int v, int w, int base);
     int common_base(int v, int w);
-    int base_of(int node);
     void touch(int node, Label label);
     void forget();
     void join(int v, int w);
@@ -65,7 +66,8 @@ private:
     std::vector<std::int8_t> side_;
     // Of the search under way, see search().
     std::vector<Label> label_;
-    std::vector<std::int32_t> before_, base_, queue_, touched_;
+    std::vector<std::int32_t> before_, queue_, touched_;
+    DisjointSets blossoms_;
     std::vector<std::uint32_t> seen_;
     std::uint32_t clock_ = 0;
 };

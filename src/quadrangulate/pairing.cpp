@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index.h"
 #include "quadrangulate/matching.h"
+#include "quality/corner.h"
 
 namespace alphamst::quadrangulate {
 namespace {
@@ -12,16 +14,14 @@ namespace {
 using Vector = OpenMesh::Vec3d;
 using Corners = std::array<std::int32_t, 4>;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-Vector point(mesh::Points points, std::int32_t v) {
+Vector point(mesh::Coordinates points, std::int32_t v) {
     return {points[3 * at(v)], points[3 * at(v) + 1], points[3 * at(v) + 2]};
 }
 
 double over(double value, double length) { return length > 0 ? value / length : 0; }
 
 // Of the normals of triangles abc and bad.
-double cosine(mesh::Points points, std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
+double cosine(mesh::Coordinates points, std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
     const Vector p = point(points, a), side = point(points, b) - p;
     const Vector first = side % (point(points, c) - p), second = (point(points, d) - p) % side;
     return over(first | second, first.norm() * second.norm());
@@ -41,7 +41,7 @@ constexpr double most_bent = 0.5; // 1 less the cosine of the angle between two 
 
 class Builder {
 public:
-    Builder(mesh::Points points, mesh::Faces faces, const std::vector<std::int32_t> &across,
+    Builder(mesh::Coordinates points, mesh::Faces faces, const std::vector<std::int32_t> &across,
             const std::vector<bool> &barred)
         : points_(points), faces_(faces), across_(across), barred_(barred), on_boundary_(points.size() / 3),
           node_of_(faces.size() / 4, -1) {
@@ -107,7 +107,7 @@ private:
         dual.cost[place] = static_cast<float>((1 - least) * (1 - least) + bend + penalty[stage]);
     }
 
-    mesh::Points points_;
+    mesh::Coordinates points_;
     mesh::Faces faces_;
     const std::vector<std::int32_t> &across_;
     const std::vector<bool> &barred_;
@@ -132,7 +132,7 @@ std::vector<Choice> choices_of(const Builder &builder, const TriangleDual &dual,
 
 } // namespace
 
-std::array<double, 4> sines(mesh::Points points, const Corners &quad) {
+std::array<double, 4> sines(mesh::Coordinates points, const Corners &quad) {
     std::array<Vector, 4> p, edge;
     for (std::size_t k = 0; k < 4; ++k)
         p[k] = point(points, quad[k]);
@@ -142,12 +142,13 @@ std::array<double, 4> sines(mesh::Points points, const Corners &quad) {
     std::array<double, 4> result{};
     for (std::size_t k = 0; k < 4; ++k) {
         const Vector &before = edge[(k + 3) % 4];
-        result[k] = over((before % edge[k]) | normal, before.norm() * edge[k].norm() * normal.norm());
+        result[k] = quality::scaled_jacobian((before % edge[k]) | normal,
+                                             before.norm() * edge[k].norm() * normal.norm());
     }
     return result;
 }
 
-std::vector<Choice> pair_triangles(mesh::Points points, mesh::Faces faces,
+std::vector<Choice> pair_triangles(mesh::Coordinates points, mesh::Faces faces,
                                    const std::vector<std::int32_t> &across, const std::vector<bool> &barred) {
     const Builder builder(points, faces, across, barred);
     const TriangleDual dual = builder.dual();

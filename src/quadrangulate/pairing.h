@@ -10,7 +10,7 @@
 namespace alphamst::quadrangulate {
 
 // Of each corner, seen along the normal of the centre; the smallest is the scaled Jacobian.
-std::array<double, 4> sines(mesh::Points points, const std::array<std::int32_t, 4> &quad);
+std::array<double, 4> sines(mesh::Coordinates points, const std::array<std::int32_t, 4> &quad);
 inline constexpr double flattest = 0.01; // of a corner that counts as convex
 
 // What a triangle does with one of its sides; side -1: a quad, or a triangle without a mate.
@@ -27,7 +27,7 @@ struct Choice {
 
 // across: the corner on the other side of the edge of each corner, -1 at the boundary. Sides that are
 // barred can only be halved.
-std::vector<Choice> pair_triangles(mesh::Points points, mesh::Faces faces,
+std::vector<Choice> pair_triangles(mesh::Coordinates points, mesh::Faces faces,
                                    const std::vector<std::int32_t> &across, const std::vector<bool> &barred);
 
 } // namespace alphamst::quadrangulate

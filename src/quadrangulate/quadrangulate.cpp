@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "failure.h"
+#include "index.h"
 #include "quadrangulate/halve.h"
 #include "quadrangulate/pairing.h"
 #include "quadrangulate/recut.h"
@@ -16,8 +17,6 @@ namespace alphamst::quadrangulate {
 namespace {
 
 using Edge = std::array<std::int32_t, 2>;
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 Edge sorted(Edge edge) {
     if (edge[0] > edge[1])
@@ -39,8 +38,8 @@ template <class Midpoint>
 void split_face(QuadArrays &quads, mesh::Faces faces, std::size_t face, Midpoint midpoint) {
     const std::size_t n = mesh::is_triangle(faces, face) ? 3 : 4, first = 4 * face;
     const std::int32_t centre =
-        n == 3 ? add_vertex(quads, {faces[first], faces[first + 1], faces[first + 2]})
-               : add_vertex(quads, {faces[first], faces[first + 1], faces[first + 2], faces[first + 3]});
+        n == 3 ? append_vertex(quads, {faces[first], faces[first + 1], faces[first + 2]})
+               : append_vertex(quads, {faces[first], faces[first + 1], faces[first + 2], faces[first + 3]});
     for (std::size_t k = 0; k < n; ++k)
         add_face(quads, static_cast<std::int32_t>(face),
                  {faces[first + k], midpoint(first + k), centre, midpoint(first + (k + n - 1) % n)});

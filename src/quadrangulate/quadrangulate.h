@@ -11,7 +11,7 @@
 namespace alphamst::quadrangulate {
 
 struct Polygons {
-    mesh::Points points;
+    mesh::Coordinates points;
     mesh::Faces faces;
     std::span<const std::int32_t> face_marker;           // [n], or empty
     std::span<const std::array<std::int32_t, 2>> curves; // edges that shall stay, given by their vertices
@@ -40,7 +40,7 @@ struct QuadArrays {
 // over. A triangle that is left over, their number being odd or something in the way, gets a
 // vertex at the midpoint of a side: on the boundary; or on a border or curve, where it makes a
 // quad of the triangle beyond, too; or else, among quads, a row of them to the next such triangle
-// or to the boundary is split. QuadArrays that are given stay, but for those in such rows and
+// or to the boundary is split. Quads that are given stay, but for those in such rows and
 // beside such midpoints. A triangle on its own is split in three.
 //
 // Memory is linear, and so is time but where triangles left over by their neighbours are far

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "index.h"
 #include "quadrangulate/pairing.h"
 
 namespace alphamst::quadrangulate {
@@ -11,8 +12,6 @@ namespace {
 
 using Side = std::array<std::int32_t, 2>;
 using Corners = std::array<std::int32_t, 4>;
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 struct Hash {
     std::size_t operator()(const Side &side) const {

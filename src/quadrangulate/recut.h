@@ -1,4 +1,4 @@
-// QuadArrays that are triangles in shape.
+// Quads that are triangles in shape.
 #pragma once
 
 #include <array>

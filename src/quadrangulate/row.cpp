@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "failure.h"
+#include "index.h"
 #include "quadrangulate/halve.h"
 
 namespace alphamst::quadrangulate {
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 // The rows that can be split at once, having no face in common.
 class Rows {
@@ -111,7 +110,7 @@ private:
         const bool next = (j - i + 4) % 4 == 1;
         const std::int32_t in = next ? m : n, out = next ? n : m;
         const int turn = next ? j : i;
-        const std::int32_t centre = add_vertex(quads_, {in, out, corner(turn + 2)});
+        const std::int32_t centre = append_vertex(quads_, {in, out, corner(turn + 2)});
         add_face(quads_, origin, {in, corner(turn), out, centre});
         add_face(quads_, origin, {out, corner(turn + 1), corner(turn + 2), centre});
         add_face(quads_, origin, {corner(turn + 2), corner(turn + 3), in, centre});

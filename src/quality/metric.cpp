@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "quality/corner.h"
+
 namespace alphamst::quality {
 namespace {
 
@@ -114,9 +116,9 @@ double shape(const Element &e) {
     double worst = huge;
     for (std::size_t k = 0; k < 4; ++k) {
         const double squares = e.edge[k].squaredNorm() + e.edge[(k + 3) % 4].squaredNorm();
-        worst = std::min(worst, e.corner_area[k] / squares);
+        worst = std::min(worst, corner_shape(e.corner_area[k], squares));
     }
-    return 2 * worst < tiny ? 0 : bounded(2 * worst);
+    return worst < tiny ? 0 : bounded(worst);
 }
 
 double jacobian(const Element &e) {
@@ -133,7 +135,8 @@ double scaled_jacobian(const Element &e) {
         return 0;
     double worst = huge;
     for (std::size_t k = 0; k < 4; ++k)
-        worst = std::min(worst, e.corner_area[k] / (e.length[k] * e.length[(k + 3) % 4]));
+        worst =
+            std::min(worst, quality::scaled_jacobian(e.corner_area[k], e.length[k] * e.length[(k + 3) % 4]));
     return bounded(worst);
 }
 
@@ -248,7 +251,7 @@ double measure(Metric metric, const Corners &quad, double mean_area) {
 }
 
 // The "acceptable" column of the Verdict manual.
-Range acceptable(Metric metric) {
+Range acceptable_range(Metric metric) {
     switch (metric) {
     case Metric::area:
     case Metric::jacobian:
@@ -290,7 +293,7 @@ Summary summarise(Metric metric, std::span<const double> values) {
     Summary s;
     if (values.empty())
         return s;
-    const Range range = acceptable(metric);
+    const Range range = acceptable_range(metric);
     const double slack = 1e-12 * std::max(1.0, std::min(std::abs(range.low), std::abs(range.high)));
     s.min = std::numeric_limits<double>::infinity();
     s.max = -s.min;

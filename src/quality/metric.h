@@ -42,7 +42,7 @@ double measure(Metric metric, const Corners &quad, double mean_area);
 struct Range {
     double low, high; // acceptable values, ends included
 };
-Range acceptable(Metric metric);
+Range acceptable_range(Metric metric);
 
 struct Summary {
     std::int64_t count = 0, acceptable = 0;

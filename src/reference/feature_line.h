@@ -11,7 +11,7 @@ namespace alphamst::reference {
 
 // For a vertex on a feature that may slide there, see patch::slide, and that is on one line of the curves of
 // the mesh with its two neighbours, between them: then the feature does not change wherever it slides. No
-// feature_line for all other vertices, as there is none at the bends of curves.
+// feature line for all other vertices, as there is none at the bends of curves.
 geometry::FeatureLine feature_line_of(const mesh::QuadMesh &mesh, int vertex);
 
 // [vertex]; empty if no vertex may slide.
@@ -23,7 +23,7 @@ void straighten(mesh::QuadMesh &mesh);
 
 // Vertices on features get no normals, see geometry::SurfacePositions: the surface would give them one of a
 // side that chance chooses, and the quads on the other side would look ill-shaped. vertices: those of the
-// mesh in the on_surface; quads use their places there.
+// mesh among the positions; quads use their places there.
 void forget_normals(const mesh::QuadMesh &mesh, std::span<const int> vertices, geometry::Quads quads,
                     geometry::SurfacePositions &on_surface);
 

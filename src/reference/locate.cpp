@@ -11,7 +11,7 @@
 namespace alphamst::reference {
 namespace {
 
-namespace index = surface::index;
+namespace spatial_index = surface::spatial_index;
 using Eigen::Vector3d;
 using surface::Box;
 using surface::box_corner;
@@ -24,12 +24,12 @@ using surface::BoxTree;
 template <class Distance>
 std::vector<int> candidates(const BoxTree &tree, const Vector3d &point, const Distance &squared) {
     BoxEntry one;
-    tree.query(index::nearest(box_corner(point), 1), &one);
+    tree.query(spatial_index::nearest(box_corner(point), 1), &one);
     // A little further, so that rounding hides no tie.
     const Vector3d reach = Vector3d::Constant(std::sqrt(squared(one.second)) * (1 + 1e-12));
     std::vector<int> found{one.second};
     const Box box(box_corner(point - reach), box_corner(point + reach));
-    for (auto entry = tree.qbegin(index::intersects(box)); entry != tree.qend(); ++entry)
+    for (auto entry = tree.qbegin(spatial_index::intersects(box)); entry != tree.qend(); ++entry)
         found.push_back(entry->second);
     return found;
 }
@@ -102,7 +102,8 @@ void FaceTree::around(const geometry::Quad &quad, std::vector<int> &found) const
     // In one plane, or nearly, two boxes may be flat and miss each other by rounding.
     const double across = std::max((quad[2] - quad[0]).norm(), (quad[3] - quad[1]).norm());
     const Box box = box_of(quad, across / 8);
-    for (auto entry = tree_->boxes.qbegin(index::intersects(box)); entry != tree_->boxes.qend(); ++entry)
+    for (auto entry = tree_->boxes.qbegin(spatial_index::intersects(box)); entry != tree_->boxes.qend();
+         ++entry)
         found.push_back(entry->second);
     std::sort(found.begin(), found.end());
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "index.h"
 #include "reference/feature_line.h"
 #include "reference/locate.h"
 #include "reference/statistics.h"
@@ -10,8 +11,6 @@
 
 namespace alphamst::reference {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The surface was made of the mesh as it is: its points are the vertices.
 bool same_points(const mesh::QuadMesh &mesh, const surface::Surface &surface) {

@@ -22,7 +22,9 @@ struct Reference {
     // Where there is no plane: the surface, and the triangle of it under each vertex of the mesh.
     std::shared_ptr<const surface::Surface> surface;
     std::vector<int> surface_triangles;
-    const CrossField *cross_field = nullptr;         // to which edges shall turn, if there are any
+    const CrossField *cross_field = nullptr; // to which edges shall turn, if there are any
+    // Patches that are flat lie in their plane, though the mesh keeps to a surface.
+    bool planes_first = false;
     std::optional<SurfaceDistance> surface_distance; // where the whole of it is to stay covered
     // [triangle of the surface] wanted faces per unit of area, but for a factor; empty: even.
     std::vector<double> density;
@@ -49,7 +51,7 @@ std::optional<geometry::Plane> plane_of(const mesh::QuadMesh &mesh, std::span<co
 geometry::SurfacePositions positions_on_surface(const mesh::QuadMesh &mesh, const surface::Surface &surface,
                                                 const std::vector<int> &surface_triangles,
                                                 std::span<const int> vertices);
-// Without surface_triangles: the place whose normal agrees with that of the faces around the vertex.
+// Without triangles: the place whose normal agrees with that of the faces around the vertex.
 surface::Spot spot_of(const mesh::QuadMesh &mesh, const surface::Surface &surface, int vertex);
 
 } // namespace alphamst::reference

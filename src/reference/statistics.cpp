@@ -3,14 +3,23 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "index.h"
 #include "patch/region.h"
+#include "reference/locate.h"
 
 namespace alphamst::reference {
 namespace {
 
-Eigen::Vector3d vector(const OpenMesh::Vec3d &p) { return {p[0], p[1], p[2]}; }
+// Of n quads.
+template <class QuadOf> double least(std::size_t n, QuadOf quad) {
+    double result = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n; ++i)
+        result = std::min(result, quality::measure(quality::Metric::scaled_jacobian, quad(i), 1));
+    return n == 0 ? 0 : result;
+}
 
 } // namespace
 
@@ -24,11 +33,39 @@ void count(const mesh::QuadMesh &mesh, std::map<int, std::int64_t> &valences, st
     }
 }
 
+std::int64_t singular(const std::map<int, std::int64_t> &valences) {
+    std::int64_t sum = 0;
+    for (const auto &[valence, count] : valences)
+        sum += valence != 4 ? count : 0;
+    return sum;
+}
+
+double least_quality(const mesh::QuadMesh &mesh) {
+    return least(at(mesh.n_faces()), [&](std::size_t f) { return quad_of(mesh, static_cast<int>(f)); });
+}
+
+double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces) {
+    return least(faces.size(), [&](std::size_t i) { return quad_of(mesh, faces[i]); });
+}
+
+double least_quality(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
+                     std::span<const OpenMesh::Vec3d> points) {
+    return least(quads.size(), [&](std::size_t q) {
+        geometry::Quad quad;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t v = at(quads[q][k]);
+            const OpenMesh::Vec3d &p = v < loop.size() ? mesh.point(loop[v]) : points[v - loop.size()];
+            quad[k] = {p[0], p[1], p[2]};
+        }
+        return quad;
+    });
+}
+
 geometry::Points flatten(const mesh::QuadMesh &mesh, const geometry::Plane &plane) {
     geometry::Points positions;
     positions.reserve(static_cast<std::size_t>(mesh.n_vertices()));
     for (int v = 0; v < mesh.n_vertices(); ++v)
-        positions.push_back(plane.to_plane(vector(mesh.point(v))));
+        positions.push_back(plane.to_plane(point_of(mesh, v)));
     return positions;
 }
 

@@ -1,6 +1,10 @@
 // What there is in a mesh, for outcomes of operations on the whole of it.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <span>
+
 #include "geometry/embed.h"
 #include "geometry/plane.h"
 #include "mesh/quad_mesh.h"
@@ -12,10 +16,21 @@ namespace alphamst::reference {
 // Interior vertices by valence, and the singular ones.
 void count(const mesh::QuadMesh &mesh, std::map<int, std::int64_t> &valences, std::int64_t &singular);
 
+// Those of valence other than 4.
+std::int64_t singular(const std::map<int, std::int64_t> &valences);
+
+// What outcomes tell as quality: the smallest scaled Jacobian as quality::measure has it, whatever an
+// operation judges shapes by. 0 where there are no faces.
+double least_quality(const mesh::QuadMesh &mesh);
+double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces);
+// Of quads that may take the place of faces: their vertices are those of the loop, then new ones.
+double least_quality(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
+                     std::span<const OpenMesh::Vec3d> points);
+
 // All vertices of the mesh in the plane.
 geometry::Points flatten(const mesh::QuadMesh &mesh, const geometry::Plane &plane);
 
-// FaceTree that make a boundary vertex regular less those that it has: its angle over 90 degrees,
+// Faces that make a boundary vertex regular less those that it has: its angle over 90 degrees,
 // rounded, at least 1.
 int mismatch(const mesh::QuadMesh &mesh, int vertex);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "index.h"
 #include "random.h"
 #include "reference/locate.h"
 #include "surface/boxes.h"
@@ -12,18 +13,14 @@
 namespace alphamst::reference {
 namespace {
 
-namespace index = surface::index;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+namespace spatial_index = surface::spatial_index;
 
 // Some of n things, in order, spread without regard to their order.
 std::vector<int> choose(std::size_t n, std::size_t most) {
     std::vector<int> all(n);
     std::iota(all.begin(), all.end(), 0);
     if (n > most) {
-        Random random(n);
-        for (std::size_t i = 0; i < most; ++i)
-            std::swap(all[i], all[i + random() % (n - i)]);
+        Random(n).shuffle_front(all, most);
         all.resize(most);
         std::sort(all.begin(), all.end());
     }
@@ -50,7 +47,7 @@ SurfaceDistance::SurfaceDistance(const surface::Surface &surface, const mesh::Qu
 SurfaceDistance::Owner SurfaceDistance::owner_of(int sample, std::span<const geometry::Quad> quads,
                                                  const surface::BoxTree &tree) const {
     std::pair nearest(std::numeric_limits<double>::infinity(), -1);
-    const auto holds = index::intersects(surface::box_corner(point(sample)));
+    const auto holds = spatial_index::intersects(surface::box_corner(point(sample)));
     for (auto e = tree.qbegin(holds); e != tree.qend(); ++e)
         nearest = std::min(
             nearest, {geometry::closest_point(quads[at(e->second)], point(sample)).distance, e->second});
@@ -81,7 +78,7 @@ bool SurfaceDistance::covers(std::span<const int> faces, std::span<const geometr
             };
             if (near(last))
                 continue;
-            const auto holds = index::intersects(surface::box_corner(point(s)));
+            const auto holds = spatial_index::intersects(surface::box_corner(point(s)));
             const auto found = std::find_if(tree.qbegin(holds), tree.qend(),
                                             [&](const auto &entry) { return near(at(entry.second)); });
             if (found == tree.qend())

@@ -79,7 +79,7 @@ std::map<int, std::int64_t> Cavity::valences(const fill::Filling &filling) const
     return count;
 }
 
-geometry::Embedding Cavity::embed(const PlacedFilling &shape) const {
+geometry::Embedding Cavity::embed_flat(const PlacedFilling &shape) const {
     const geometry::EmbedOptions options = smooth::shaping(settings_);
     const fill::Filling &filling = shape.filling;
     if (!shape.positions.empty()) {
@@ -93,7 +93,7 @@ geometry::Embedding Cavity::embed(const PlacedFilling &shape) const {
     return geometry::embed(filling.quads, filling.boundary, filling.vertices, loop, options);
 }
 
-CavityEmbedding Cavity::place(const PlacedFilling &shape) const {
+CavityEmbedding Cavity::start(const PlacedFilling &shape) const {
     const fill::Filling &filling = shape.filling;
     CavityEmbedding laid;
     geometry::Points positions = shape.positions;
@@ -128,10 +128,10 @@ CavityEmbedding Cavity::smooth(const fill::Filling &filling, CavityEmbedding lai
     return laid;
 }
 
-CavityEmbedding Cavity::lay(const PlacedFilling &shape) const {
+CavityEmbedding Cavity::embed(const PlacedFilling &shape) const {
     if (curved())
-        return smooth(shape.filling, place(shape));
-    geometry::Embedding embedding = embed(shape);
+        return smooth(shape.filling, start(shape));
+    geometry::Embedding embedding = embed_flat(shape);
     CavityEmbedding laid;
     static_cast<geometry::Judgement &>(laid) = embedding;
     laid.flat = std::move(embedding.positions);
@@ -166,7 +166,7 @@ fill::Request Cavity::request() const {
     request.fewest = goal_.fewest;
     request.most_faces = goal_.most;
     request.most = settings_.candidates;
-    // Where the present filling is an answer, three plans target_count the effort.
+    // Where the present filling is an answer, three plans share the effort.
     request.node_limit = goal_.keep_quality ? settings_.node_limit / 3 : settings_.node_limit;
     request.seed = settings_.seed;
     request.tolerance = 0;
@@ -210,7 +210,7 @@ void Cavity::flatten() {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < window.loop.size(); ++i)
         normal += (points[i] - points[0]).cross(points[(i + 1) % window.loop.size()] - points[0]);
-    if (reference_.surface_triangles.empty()) {
+    if (reference_.surface_triangles.empty() || reference_.planes_first) {
         plane_ = mesh_.dim() == 2 ? geometry::Plane::of_coordinates(normal.z() < 0)
                                   : geometry::Plane::fit(points, normal);
         if (plane_.holds(points)) {

@@ -11,10 +11,12 @@
 
 #include "fill/plan.h"
 #include "geometry/plane.h"
+#include "outcome.h"
+#include "patch/window.h"
 #include "reference/reference.h"
 #include "refill/chart.h"
 #include "refill/coarsen.h"
-#include "refill/propose.h"
+#include "refill/goal.h"
 
 namespace alphamst::refill {
 
@@ -63,10 +65,10 @@ public:
     // Singular vertices of the mesh in the patch with this filling.
     std::map<int, std::int64_t> valences(const fill::Filling &filling) const;
 
-    CavityEmbedding lay(const PlacedFilling &shape) const;
+    CavityEmbedding embed(const PlacedFilling &shape) const;
     // The same in two steps where the patch is curved: into the chart and from there to the surface; without
     // points if the chart does not take it. Then into shape.
-    CavityEmbedding place(const PlacedFilling &shape) const;
+    CavityEmbedding start(const PlacedFilling &shape) const;
     CavityEmbedding smooth(const fill::Filling &filling, CavityEmbedding placed) const;
     bool curved() const { return chart_.has_value(); }
     const reference::Reference &reference() const { return reference_; }
@@ -118,7 +120,7 @@ private:
 
     void flatten();
 
-    geometry::Embedding embed(const PlacedFilling &shape) const;
+    geometry::Embedding embed_flat(const PlacedFilling &shape) const;
 
     bool inside(int edge) const;
 

@@ -8,6 +8,7 @@
 
 #include "geometry/parametrise.h"
 #include "geometry/plane.h"
+#include "index.h"
 
 namespace alphamst::refill {
 namespace {
@@ -17,8 +18,6 @@ using Eigen::Vector2d;
 using Point = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
 using Box = boost::geometry::model::box<Point>;
 using Entry = std::pair<Box, int>;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double twice_area(const Vector2d &a, const Vector2d &b, const Vector2d &c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "quality/corner.h"
 #include "random.h"
 
 namespace alphamst::refill {
@@ -63,8 +64,8 @@ public:
         return shape;
     }
 
-    // Singular vertices as a request counts them.
-    int singularities() const {
+    // As a request counts them: singular ones inside, boundary ones with another number of faces.
+    int irregular() const {
         int sum = 0;
         for (std::size_t v = 0; v < at_.size(); ++v) {
             const int faces = static_cast<int>(at_[v].size());
@@ -162,9 +163,8 @@ private:
                 }
                 for (std::size_t k = 0; k < 4; ++k) {
                     const Eigen::Vector2d next = x[(k + 1) % 4] - x[k], before = x[(k + 3) % 4] - x[k];
-                    const double size = next.norm() * before.norm();
-                    const double area = next.x() * before.y() - next.y() * before.x();
-                    least = std::min(least, size > 0 ? area / size : -1.0);
+                    least = std::min(least, quality::scaled_jacobian(quality::determinant(next, before),
+                                                                     next.norm() * before.norm()));
                 }
             }
         return least;
@@ -247,7 +247,7 @@ std::optional<Coarse> coarsen(const fill::Request &request, const PlacedFilling 
     if (static_cast<std::int64_t>(old.filling.quads.size()) <= request.faces ||
         !collapser.reach(request.faces))
         return std::nullopt;
-    return Coarse{collapser.result(), collapser.singularities()};
+    return Coarse{collapser.result(), collapser.irregular()};
 }
 
 } // namespace alphamst::refill

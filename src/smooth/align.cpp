@@ -6,8 +6,8 @@
 
 namespace alphamst::smooth {
 
-void align(mesh::QuadMesh &mesh, reference::Reference &reference, const reference::CrossField &cross_field,
-           const Settings &settings) {
+void align_to_field(mesh::QuadMesh &mesh, reference::Reference &reference,
+                    const reference::CrossField &cross_field, const Settings &settings) {
     std::vector<Eigen::Vector3d> directions;
     for (int f = 0; f < mesh.n_faces(); ++f) {
         const geometry::Quad corners = reference::quad_of(mesh, f);

@@ -6,6 +6,7 @@
 #include "geometry/embed.h"
 #include "geometry/fit.h"
 #include "geometry/star.h"
+#include "index.h"
 #include "parallel/workers.h"
 #include "patch/grow.h"
 #include "patch/region.h"
@@ -19,8 +20,6 @@ namespace {
 
 // A scaled Jacobian that relaxing a surface as a whole may fall to.
 constexpr double least_relaxed = 0.3;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double area_of(const mesh::QuadMesh &mesh, int face) {
     return geometry::area_vector(reference::quad_of(mesh, face)).norm();
@@ -97,7 +96,7 @@ std::vector<int> spoiled(const mesh::QuadMesh &mesh, const std::vector<double> &
     return faces;
 }
 
-// The faces of vertices that have come past a neighbour on their feature_line, as when only that one was
+// The faces of vertices that have come past a neighbour on their feature line, as when only that one was
 // taken back.
 void add_passed(const mesh::QuadMesh &mesh, const geometry::SurfacePositions &on_surface,
                 std::span<const geometry::FeatureLine> feature_lines, std::vector<int> &faces) {
@@ -140,8 +139,8 @@ bool keep_good(const mesh::QuadMesh &mesh, const std::optional<reference::Surfac
     return false;
 }
 
-void relax_draped(mesh::QuadMesh &mesh, reference::Reference &reference, std::vector<char> fixed,
-                  geometry::EmbedOptions options) {
+void relax_on_surface(mesh::QuadMesh &mesh, reference::Reference &reference, std::vector<char> fixed,
+                      geometry::EmbedOptions options) {
     const std::vector<geometry::FeatureLine> feature_lines = reference::feature_lines_of(mesh);
     for (std::size_t v = 0; v < feature_lines.size(); ++v)
         if (feature_lines[v])
@@ -186,8 +185,8 @@ bool accept_or_roll_back(mesh::QuadMesh &mesh, reference::Reference &reference,
     return true;
 }
 
-void relax(mesh::QuadMesh &mesh, reference::Reference &reference,
-           const std::optional<reference::SizingField> &density, const Settings &settings) {
+void relax_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
+                    const std::optional<reference::SizingField> &density, const Settings &settings) {
     std::vector<char> fixed = constrained_vertices(mesh);
     const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
     const parallel::Workers workers(settings.threads);
@@ -195,11 +194,11 @@ void relax(mesh::QuadMesh &mesh, reference::Reference &reference,
     if (reference.plane)
         relax_flat(mesh, *reference.plane, fixed, options);
     else
-        relax_draped(mesh, reference, std::move(fixed), options);
+        relax_on_surface(mesh, reference, std::move(fixed), options);
 }
 
-void fit(mesh::QuadMesh &mesh, reference::Reference &reference,
-         const std::optional<reference::SizingField> &density, const Settings &settings) {
+void fit_to_surface(mesh::QuadMesh &mesh, reference::Reference &reference,
+                    const std::optional<reference::SizingField> &density, const Settings &settings) {
     const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
     const parallel::Workers workers(settings.threads);
     const geometry::EmbedOptions options = whole_shaping(settings, workers, area);

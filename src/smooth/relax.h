@@ -11,19 +11,19 @@ namespace alphamst::smooth {
 
 // Moves all vertices that may move, on a surface also along straight features. The smallest scaled Jacobian
 // of the mesh never falls, and no corner inverts.
-void relax(mesh::QuadMesh &mesh, reference::Reference &reference,
-           const std::optional<reference::SizingField> &density, const Settings &settings);
+void relax_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
+                    const std::optional<reference::SizingField> &density, const Settings &settings);
 
 // Moves all vertices of a curved mesh that may move, over the surface, so that the faces come nearer to it
 // between them; shapes may suffer, but no scaled Jacobian falls below 0.3 by that.
-void fit(mesh::QuadMesh &mesh, reference::Reference &reference,
-         const std::optional<reference::SizingField> &density, const Settings &settings);
+void fit_to_surface(mesh::QuadMesh &mesh, reference::Reference &reference,
+                    const std::optional<reference::SizingField> &density, const Settings &settings);
 
 // 1 for vertices that do not move freely.
 std::vector<char> constrained_vertices(const mesh::QuadMesh &mesh);
 
 // Moves the vertices of a curved mesh from where they are, `start`, to `on_surface`; where that spoils quads
-// or uncovers the surface they stay, and so do those on feature_lines that would come past each other. False
+// or uncovers the surface they stay, and so do those on feature lines that would come past each other. False
 // if all do.
 bool accept_or_roll_back(mesh::QuadMesh &mesh, reference::Reference &reference,
                          const geometry::SurfacePositions &start, geometry::SurfacePositions &on_surface,

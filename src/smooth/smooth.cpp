@@ -7,6 +7,7 @@
 #include "reference/feature_line.h"
 #include "reference/locate.h"
 #include "reference/reference.h"
+#include "reference/statistics.h"
 #include "reference/surface_of.h"
 #include "smooth/shaping.h"
 
@@ -14,7 +15,7 @@ namespace alphamst::smooth {
 namespace {
 
 // Some faces and their vertices; the free ones are inside and not constrained, the sliding ones inside and on
-// feature_lines.
+// feature lines.
 struct Part {
     Part(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
         for (const int f : faces) {
@@ -71,23 +72,21 @@ struct Part {
 };
 
 void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &plane,
-                 const Settings &settings, Outcome &outcome) {
+                 const Settings &settings) {
     geometry::Points positions;
     for (const int v : part.vertices)
         positions.push_back(plane.to_plane(reference::point_of(mesh, v)));
-    outcome.quality_before = geometry::shapes_of(part.quads, positions).min_scaled_jacobian;
     const geometry::Embedding improved =
         geometry::improve(part.quads, part.fixed, std::move(positions), shaping(settings));
-    outcome.quality_after = improved.min_scaled_jacobian;
     part.put(mesh, [&](std::size_t i) { return plane.to_space(improved.positions[i]); });
 }
 
-void smooth_draped(mesh::QuadMesh &mesh, const Part &part, const reference::Reference &reference,
-                   const Settings &settings, Outcome &outcome) {
+void smooth_on_surface(mesh::QuadMesh &mesh, const Part &part, const reference::Reference &reference,
+                       const Settings &settings) {
     geometry::SurfacePositions start =
         reference::positions_on_surface(mesh, *reference.surface, reference.surface_triangles, part.vertices);
     reference::forget_normals(mesh, part.vertices, part.quads, start);
-    outcome.quality_before = geometry::judge(part.quads, start).min_scaled_jacobian;
+    const double before = geometry::judge(part.quads, start).min_scaled_jacobian;
     const auto try_with = [&](const Part &tried) {
         geometry::SurfacePositions on_surface = start;
         geometry::EmbedOptions options = shaping(settings);
@@ -95,8 +94,7 @@ void smooth_draped(mesh::QuadMesh &mesh, const Part &part, const reference::Refe
         const double improved =
             geometry::improve(*reference.surface, tried.quads, tried.fixed, on_surface, options)
                 .min_scaled_jacobian;
-        outcome.quality_after = std::max(outcome.quality_before, improved);
-        if (!(improved >= outcome.quality_before))
+        if (!(improved >= before))
             return false;
         tried.put(mesh, [&](std::size_t i) { return on_surface.points[i]; });
         return true;
@@ -124,15 +122,17 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     }
     outcome.valences_after = outcome.valences_before;
     outcome.singular_after = outcome.singular_bound = outcome.singular_before;
+    outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, faces);
     if (faces.empty())
         return outcome;
     const Patch patch{faces, {}, 0};
     const reference::Reference reference = reference::reference_of(mesh, std::span(&patch, 1));
     mesh.surface = reference.surface;
     if (const auto plane = reference::plane_of(mesh, faces))
-        smooth_flat(mesh, part, *plane, settings, outcome);
+        smooth_flat(mesh, part, *plane, settings);
     else
-        smooth_draped(mesh, part, reference, settings, outcome);
+        smooth_on_surface(mesh, part, reference, settings);
+    outcome.quality_after = reference::least_quality(mesh, faces);
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

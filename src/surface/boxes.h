@@ -9,11 +9,11 @@
 
 namespace alphamst::surface {
 
-namespace index = boost::geometry::index;
+namespace spatial_index = boost::geometry::index;
 using BoxCorner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
 using Box = boost::geometry::model::box<BoxCorner>;
 using BoxEntry = std::pair<Box, int>;
-using BoxTree = index::rtree<BoxEntry, index::rstar<16>>;
+using BoxTree = spatial_index::rtree<BoxEntry, spatial_index::rstar<16>>;
 
 inline BoxCorner box_corner(const Eigen::Vector3d &p) { return {p.x(), p.y(), p.z()}; }
 

@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <utility>
 
+#include "index.h"
+
 namespace alphamst::surface {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr Complex one{1, 0};
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The energy of crosses z: the sum over links of |z_i - coupling_ij z_j|^2 and the product with the guides.
 struct Level {
@@ -169,7 +169,7 @@ std::vector<Complex> solve(const Links &links, std::span<const Guide> guides, in
 
 } // namespace
 
-std::vector<Vector3d> cross_field(const Links &links, std::span<const Guide> guides, int sweeps) {
+std::vector<Vector3d> solve_cross_field(const Links &links, std::span<const Guide> guides, int sweeps) {
     const std::vector<Complex> crosses = solve(links, guides, sweeps);
     std::vector<Vector3d> directions;
     directions.reserve(crosses.size());

@@ -1,4 +1,4 @@
-// CrossField: four directions at right angles at every node of a surface, which change little from one node
+// Crosses: four directions at right angles at every node of a surface, which change little from one node
 // to the next and follow guides where there are some.
 #pragma once
 
@@ -31,6 +31,6 @@ struct Guide {
 // over links and guides of weight * (1 - cos(4 * angle)), as far as `sweeps` of Gauss and Seidel lead on each
 // level of a hierarchy of merged nodes, the coarsest first (after Jakob, Tarini, Panozzo and Sorkine-Hornung
 // 2015). Costs O(sweeps * (nodes + links)) on a surface; the same for the same input.
-std::vector<Eigen::Vector3d> cross_field(const Links &links, std::span<const Guide> guides, int sweeps);
+std::vector<Eigen::Vector3d> solve_cross_field(const Links &links, std::span<const Guide> guides, int sweeps);
 
 } // namespace alphamst::surface

@@ -3,12 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "index.h"
+
 namespace alphamst::surface {
 namespace {
 
 using Eigen::Vector3d;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Replaces the value of each point by the mean over the triangles around it, of the mean of their corners.
 template <class Value> void average(const Surface &surface, std::vector<Value> &values, const Value &zero) {

@@ -4,14 +4,13 @@
 #include <boost/iterator/function_output_iterator.hpp>
 #include <utility>
 
+#include "index.h"
 #include "surface/boxes.h"
 
 namespace alphamst::surface {
 namespace {
 
 using Eigen::Vector3d;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Edges in chains: from point to point through those where two edges meet and nothing bends.
 class Chains {
@@ -138,7 +137,7 @@ int Curves::find(std::span<const Vector3d> points) const {
             found = entry.second;
     };
     if (!points.empty())
-        tree_->boxes.query(index::intersects(box_corner(points[0])),
+        tree_->boxes.query(spatial_index::intersects(box_corner(points[0])),
                            boost::make_function_output_iterator(look));
     return found;
 }

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <utility>
 
+#include "disjoint_sets.h"
 #include "failure.h"
+#include "index.h"
 #include "surface/boxes.h"
 #include "surface/triangle.h"
 
@@ -21,15 +22,6 @@ using Eigen::Vector3d;
 
 const double cos_crease = std::cos(40 * std::numbers::pi / 180);
 const double cos_agreement = std::cos(75 * std::numbers::pi / 180);
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// The member that stands for the set of i.
-std::size_t root(std::vector<std::size_t> &parent, std::size_t i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
 
 } // namespace
 
@@ -106,7 +98,7 @@ void Surface::find_normals() {
         find_corner_normals(point);
 }
 
-// Those of the corners at one point: triangles with a smooth edge between them target_count one.
+// Those of the corners at one point: triangles with a smooth edge between them share one.
 void Surface::find_corner_normals(int point) {
     const std::span<const int> fan = triangles_around(point);
     std::vector<std::pair<int, std::size_t>> edges; // the other point, the place in the fan
@@ -116,13 +108,12 @@ void Surface::find_corner_normals(int point) {
                 edges.emplace_back(other, i);
     std::sort(edges.begin(), edges.end());
 
-    std::vector<std::size_t> parent(fan.size());
-    std::iota(parent.begin(), parent.end(), 0);
+    DisjointSets smooth(fan.size());
     for (std::size_t i = 0; i < edges.size(); ++i)
         for (std::size_t j = i + 1; j < edges.size() && edges[j].first == edges[i].first; ++j) {
             const Vector3d &n = normal(fan[edges[i].second]), &m = normal(fan[edges[j].second]);
             if (n.isZero(0) || m.isZero(0) || n.dot(m) >= cos_crease)
-                parent[root(parent, edges[i].second)] = root(parent, edges[j].second);
+                smooth.unite(edges[j].second, edges[i].second);
         }
 
     std::vector<Vector3d> sums(fan.size(), Vector3d::Zero());
@@ -136,10 +127,10 @@ void Surface::find_corner_normals(int point) {
         const Vector3d to_next = points_[at(triangle[(k + 1) % 3])] - points_[at(point)];
         const Vector3d to_last = points_[at(triangle[(k + 2) % 3])] - points_[at(point)];
         const double angle = std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
-        sums[root(parent, i)] += angle * normal(fan[i]);
+        sums[smooth.find(i)] += angle * normal(fan[i]);
     }
     for (std::size_t i = 0; i < fan.size(); ++i) {
-        const Vector3d &sum = sums[root(parent, i)];
+        const Vector3d &sum = sums[smooth.find(i)];
         const double length = sum.norm();
         corner_normals_[at(fan[i])][static_cast<std::size_t>(place(fan[i]))] =
             length > 0 ? Vector3d(sum / length) : normal(fan[i]);
@@ -216,10 +207,12 @@ Spot Surface::spot(const Vector3d &p, const Near &near) const {
 // box, and where one comes from there, bound the distance; what is within it decides.
 template <class Accept> Surface::Near Surface::search(const Vector3d &p, const Accept &accept) const {
     const BoxCorner asked = box_corner(p);
-    const auto accepted = index::satisfies([&](const BoxEntry &entry) { return accept(entry.second); });
+    const auto accepted =
+        spatial_index::satisfies([&](const BoxEntry &entry) { return accept(entry.second); });
     Near best;
     const auto begin = [&](const BoxEntry &entry) { best = near(p, entry.second); };
-    tree_->boxes.query(index::nearest(asked, 1) && accepted, boost::make_function_output_iterator(begin));
+    tree_->boxes.query(spatial_index::nearest(asked, 1) && accepted,
+                       boost::make_function_output_iterator(begin));
     if (best.triangle < 0)
         return best;
     if (const Near way = descend(p, best); accept(way.triangle))
@@ -233,7 +226,7 @@ template <class Accept> Surface::Near Surface::search(const Vector3d &p, const A
             best = next;
     };
     const Vector3d reach = Vector3d::Constant(std::sqrt(bound));
-    tree_->boxes.query(index::intersects(Box(box_corner(p - reach), box_corner(p + reach))),
+    tree_->boxes.query(spatial_index::intersects(Box(box_corner(p - reach), box_corner(p + reach))),
                        boost::make_function_output_iterator(improve));
     return best;
 }

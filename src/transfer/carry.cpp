@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "index.h"
 #include "reference/locate.h"
 #include "transfer/conserve.h"
 
@@ -15,8 +16,6 @@ namespace {
 using Eigen::Vector3d;
 using mesh::Field;
 using mesh::QuadMesh;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 const std::vector<std::int32_t> &origins(const QuadMesh &mesh, Entity entity) {
     return entity == Entity::vertex ? mesh.vertex_origin

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
+#include "disjoint_sets.h"
 #include "reference/locate.h"
 
 namespace alphamst::transfer {
@@ -13,27 +13,9 @@ namespace {
 // Part of the sum that averages miss in the plane by rounding; it is not worth another bit.
 constexpr double rounding = 1e-13;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 double area(const mesh::QuadMesh &mesh, int face) {
     return quality::measure(quality::Metric::area, reference::quad_of(mesh, face), 0);
 }
-
-// Vertices that faces join, by the number of a vertex before the operation, or behind those, after it.
-class Sets {
-public:
-    explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-    std::size_t find(std::size_t v) {
-        while (parent_[v] != v)
-            v = parent_[v] = parent_[parent_[v]];
-        return v;
-    }
-    void join(std::size_t v, std::size_t w) { parent_[find(v)] = find(w); }
-
-private:
-    std::vector<std::size_t> parent_;
-};
 
 struct Sum {
     double value = 0, size = 0, area = 0; // of value * area, |value| * area, area
@@ -48,11 +30,12 @@ Regions::Regions(const mesh::QuadMesh &before, const mesh::QuadMesh &after, cons
         const std::int32_t origin = after.vertex_origin[at(v)];
         return origin >= 0 ? at(origin) : n_before + at(v);
     };
-    Sets sets(n_before + at(after.n_vertices()));
+    // Vertices that faces join, by the number of a vertex before the operation, or behind those, after it.
+    DisjointSets sets(n_before + at(after.n_vertices()));
     const auto join = [&](const mesh::QuadMesh &mesh, const std::vector<int> &faces, const auto &vertex) {
         for (const int f : faces)
             for (const int v : mesh.corners(f))
-                sets.join(vertex(v), vertex(mesh.corners(f)[0]));
+                sets.unite(vertex(mesh.corners(f)[0]), vertex(v));
     };
     join(before, changed.before, old_vertex);
     join(after, changed.after, new_vertex);

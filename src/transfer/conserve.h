@@ -14,7 +14,7 @@ struct Changed {
     std::vector<int> before, after;
 };
 
-// Connected sets of changed faces. Those that target_count no vertex with a set of the other mesh, since
+// Connected sets of changed faces. Those that share no vertex with a set of the other mesh, since
 // all of theirs were replaced, are one set together.
 class Regions {
 public:

@@ -5,6 +5,7 @@ matrix      the header compiles alone, without a warning, in every C and C++
 symbols     declared in the header = exported by the library = listed in symbols.txt
 constants   every value in constants.txt is still the header's, and none is missing there
 abi         no type, argument or member in libalphamst.abi has changed or moved
+defaults    the options of the library begin with what the comments of the header say
 bindgen     bindgen reads the header and finds every function
 update      adds what is new in the header to the three files; refuses to change or
             drop anything in them, since that breaks programs already compiled
@@ -17,6 +18,7 @@ contradicts it does not compile.
 """
 
 import argparse
+import ctypes
 import os
 import pathlib
 import re
@@ -24,7 +26,7 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
-from header import HEADER, HERE, INCLUDE, interface, must_run, run
+from header import HEADER, HERE, INCLUDE, defaults, interface, must_run, run
 
 SYMBOLS = HERE / "symbols.txt"
 CONSTANTS = HERE / "constants.txt"
@@ -125,6 +127,21 @@ def abi(_):
         return abi_differences(directory)
 
 
+def defaults_kept(library):
+    told, loaded, options = defaults(), ctypes.CDLL(str(library)), ctypes.c_void_p()
+    wrong = [f"{name}: no default in its comment" for name in interface().constants
+             if name.startswith("AMST_OPT_") and name not in told]
+    loaded.amst_options_create(ctypes.byref(options))
+    for name, (key, kind, value) in told.items():
+        begins = ctypes.c_double(-1) if kind == "real" else ctypes.c_int64(-1)
+        ask = loaded.amst_options_get_real if kind == "real" else loaded.amst_options_get_int
+        status = ask(options, ctypes.c_int32(key), ctypes.byref(begins))
+        if status != 0 or begins.value != value:
+            wrong.append(f"{name}: {value:g} in the header, the library has {begins.value:g}, status {status}")
+    loaded.amst_options_destroy(options)
+    return wrong
+
+
 def bindgen(_):
     bindings = must_run(["bindgen", str(HEADER), "--", "-std=c99"])
     found = set(re.findall(r"pub fn (amst_\w+)\s*\(", bindings))
@@ -156,16 +173,16 @@ def update(_):
 
 
 CHECKS = {"matrix": matrix, "symbols": symbols, "constants": constants_kept, "abi": abi,
-          "bindgen": bindgen, "update": update}
+          "defaults": defaults_kept, "bindgen": bindgen, "update": update}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("check", choices=CHECKS)
-    parser.add_argument("--library", help="libalphamst.so, for symbols")
+    parser.add_argument("--library", help="libalphamst.so, for symbols and defaults")
     arguments = parser.parse_args()
-    if arguments.check == "symbols" and not arguments.library:
-        parser.error("symbols needs --library")
+    if arguments.check in ("symbols", "defaults") and not arguments.library:
+        parser.error(f"{arguments.check} needs --library")
     wrong = CHECKS[arguments.check](arguments.library)
     print("\n".join(wrong) if wrong else f"{arguments.check}: ok")
     sys.exit(1 if wrong else 0)

@@ -8,7 +8,8 @@ rust        bindings.rs is what generate.sh makes of the header today
 
 Of a function: its name, and of each argument name, place, width and kind; the names, since
 a swap of two arguments of one type shows in nothing else. Then, in all three, that the
-idiomatic layer uses every function of the raw one.
+idiomatic layer uses every function of the raw one, and where its documentation gives the
+defaults of options, that they are those of the header.
 """
 
 import argparse
@@ -19,7 +20,7 @@ import shutil
 import sys
 import tempfile
 
-from header import ROOT, Function, Interface, interface, must_run
+from header import ROOT, Function, Interface, defaults, interface, must_run
 
 BINDINGS = ROOT / "bindings"
 FORTRAN = BINDINGS / "fortran" / "src"
@@ -86,6 +87,14 @@ def compare(wanted, found):
     for name, members in wanted.structs.items():
         if found.structs.get(name) != members:
             yield f"{name}: members {found.structs.get(name)}, not {members}"
+
+
+def wrong_defaults(path, pattern):
+    """Of options in a documentation; the pattern has the groups name and value."""
+    matches = re.finditer(pattern, path.read_text(encoding="utf-8"))
+    found = {"AMST_OPT_" + match["name"].upper(): float(match["value"]) for match in matches}
+    return [f"{name}: default {found.get(name)}, not {default.value}"
+            for name, default in defaults().items() if found.get(name) != default.value]
 
 
 def unused(functions, paths):
@@ -219,6 +228,7 @@ def julia(header):
                                for member, kind in re.findall(r"(\w+)::(\w+)", members)]
     for path in idiomatic:
         wrong += julia_thunks(header, source(path))
+    wrong += wrong_defaults(JULIA / "options.jl", r"(?m)^\| `(?P<name>\w+)` \| (?P<value>[-\d.]+) \|")
     return wrong + list(compare(header, found)) + unused(header.functions.keys(), idiomatic)
 
 
@@ -236,6 +246,9 @@ def rust(header):
     changes = list(difflib.unified_diff(wanted, found, lineterm="", n=0))[2:]
     wrong = [f"bindings.rs: {'missing' if line[0] == '-' else 'unexpected'} '{line[1:].strip()}'"
              for line in changes if line[0] != "@"]
+    wrong += wrong_defaults(RUST / "alphamst" / "src" / "options.rs",
+                            r"/// (?:Integer|Real)(?: 0 or 1)?, (?P<value>[-\d.]+):(?:.*\n\s*///)*.*\n"
+                            r"\s*\w+ = AMST_OPT_(?P<name>\w+),")
     return wrong + unused(header.functions.keys(), (RUST / "alphamst" / "src").rglob("*.rs"))
 
 

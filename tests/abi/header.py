@@ -23,6 +23,7 @@ WIDTHS = {"int32_t": "int32", "int64_t": "int64", "amst_status": "int32", "amst_
 Function = collections.namedtuple("Function", "result arguments")
 # functions: name -> Function; callbacks likewise, their arguments without names;
 # constants, versions: name -> int; structs: name -> list of (name, type)
+Default = collections.namedtuple("Default", "key kind value")
 Interface = collections.namedtuple("Interface", "functions callbacks constants versions structs")
 
 
@@ -47,6 +48,13 @@ def signature(c_type):
     """Result and argument types of "int (double, const char *)"."""
     result, arguments = re.fullmatch(r"(.*?)\s*(?:\(\*\))?\((.*)\)", c_type).groups()
     return plain(result), [plain(part) for part in arguments.split(",") if plain(part) != "void"]
+
+
+def defaults():
+    """Of every option of the header as its comment says: the key, int or real, the default."""
+    text = HEADER.read_text(encoding="utf-8")
+    found = re.findall(r"\b(AMST_OPT_\w+) = (\d+),\s*/\* (int|real)(?: 0/1)?, (\S+): ", text)
+    return {name: Default(int(key), kind, float(value)) for name, key, kind, value in found}
 
 
 def enumerators(enum):

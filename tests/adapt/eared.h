@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/quad_mesh.h"
 #include "quadrangulate/quadrangulate.h"
 
 namespace alphamst::adapt::samples {

@@ -15,7 +15,7 @@ namespace alphamst::adapt::samples {
 inline const Progress silent = [](double, const char *) {};
 
 // Smallest scaled Jacobian of some faces of a mesh in the plane.
-inline double quality(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
+inline double least_scaled_jacobian(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
     geometry::Points points;
     std::vector<std::array<int, 4>> quads;
     std::map<int, int> local;
@@ -142,8 +142,8 @@ inline Run run(const mesh::QuadMesh &mesh, const std::vector<int> &faces, double
     EXPECT_EQ(outcome.faces_after, static_cast<std::int64_t>(regions[0].faces.size()));
     EXPECT_EQ(outcome.singular_after, singular_in(after, regions[0].faces));
     EXPECT_LE(outcome.singular_bound, outcome.singular_after);
-    EXPECT_NEAR(outcome.quality_before, quality(mesh, faces), 1e-9);
-    EXPECT_NEAR(outcome.quality_after, quality(after, regions[0].faces), 1e-9);
+    EXPECT_NEAR(outcome.quality_before, least_scaled_jacobian(mesh, faces), 1e-9);
+    EXPECT_NEAR(outcome.quality_after, least_scaled_jacobian(after, regions[0].faces), 1e-9);
     return run;
 }
 

@@ -1,4 +1,4 @@
-/* Meshes and questions that the tests of the C interface target_count. */
+/* Meshes and questions that the tests of the C interface share. */
 #ifndef ALPHAMST_TESTS_CAPI_GRID_H
 #define ALPHAMST_TESTS_CAPI_GRID_H
 

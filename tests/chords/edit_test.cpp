@@ -2,172 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-#include <numeric>
-#include <queue>
-
 #include "adapt/meshes.h"
 #include "adapt/run.h"
-#include "chord/meshes.h"
 #include "chord/table.h"
-#include "mesh/curved.h"
+#include "mesh/grids.h"
 
-namespace alphamst::adapt::samples {
+namespace alphamst::chords {
 namespace {
+
+using namespace adapt::samples;
 
 const Settings settings;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-std::int64_t singular(const mesh::QuadMesh &mesh) {
-    return static_cast<std::int64_t>(mesh.singularities().size());
-}
-
-// Lays one mesh on the other from a pair of sides; true if that reaches every face, one to one.
-bool matches(const mesh::QuadMesh &a, const mesh::QuadMesh &b, int face, std::size_t turn) {
-    std::vector<int> vertex(at(a.n_vertices()), -1), image(at(a.n_faces()), -1), turned(at(a.n_faces()), 0);
-    std::vector<char> used(at(b.n_faces()), 0);
-    std::queue<int> queue;
-    const auto put = [&](int f, int g, std::size_t by) {
-        image[at(f)] = g;
-        turned[at(f)] = static_cast<int>(by);
-        if (used[at(g)])
-            return false;
-        used[at(g)] = 1;
-        queue.push(f);
-        for (std::size_t k = 0; k < 4; ++k) {
-            int &v = vertex[at(a.corners(f)[k])];
-            const int w = b.corners(g)[(k + by) % 4];
-            if (v >= 0 && v != w)
-                return false;
-            v = w;
-        }
-        return true;
-    };
-    if (!put(0, face, turn))
-        return false;
-    while (!queue.empty()) {
-        const int f = queue.front(), g = image[at(f)];
-        queue.pop();
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int next = a.neighbours(f)[k], other = b.neighbours(g)[(k + at(turned[at(f)])) % 4];
-            if ((next < 0) != (other < 0))
-                return false;
-            if (next < 0 || image[at(next)] >= 0) {
-                if (next >= 0 && image[at(next)] != other)
-                    return false;
-                continue;
-            }
-            std::size_t i = 0, j = 0; // where the neighbours have the common edge
-            while (a.corners(next)[i] != a.corners(f)[(k + 1) % 4])
-                ++i;
-            while (b.corners(other)[j] != vertex[at(a.corners(f)[(k + 1) % 4])])
-                ++j;
-            if (!put(next, other, (j + 4 - i) % 4))
-                return false;
-        }
-    }
-    return std::count(used.begin(), used.end(), 1) == b.n_faces();
-}
-
-bool isomorphic(const mesh::QuadMesh &a, const mesh::QuadMesh &b) {
-    if (a.n_faces() != b.n_faces() || a.n_vertices() != b.n_vertices() || a.n_edges() != b.n_edges())
-        return false;
-    for (int face = 0; face < b.n_faces(); ++face)
-        for (std::size_t turn = 0; turn < 4; ++turn)
-            if (matches(a, b, face, turn))
-                return true;
-    return false;
-}
-
-struct Case {
-    const char *name;
-    mesh::QuadMesh mesh;
-    std::vector<int> patch;
-    int added; // singular vertices: at the corners of the core, and where corners of the patch are inside
-};
-
-std::vector<Case> cases() {
-    std::vector<Case> result;
-    result.push_back({"4 sides inside", grid(10, 10), block(10, 3, 3, 7, 8), 8});
-    result.push_back({"4 sides, all", grid(5, 4), all_faces(grid(5, 4)), 4});
-    for (const int n : {3, 5, 6}) {
-        const mesh::QuadMesh mesh = star(n, 4);
-        result.push_back({"all of a star", mesh, all_faces(mesh), n});
-        std::vector<int> inner; // the blocks next to the middle
-        for (int k = 0; k < n; ++k)
-            for (int a = 0; a < 2; ++a)
-                for (int b = 0; b < 2; ++b)
-                    inner.push_back(k * 16 + a * 4 + b);
-        std::sort(inner.begin(), inner.end());
-        result.push_back({"the middle of a star", mesh, inner, 2 * n});
-    }
-    return result;
-}
-
-TEST(InsertChords, LaysRingsWithTheSingularVerticesOfTheTemplateWhateverTheirNumber) {
-    for (const Case &c : cases())
-        for (const int n : {1, 2, 5}) {
-            mesh::QuadMesh mesh = c.mesh;
-            std::vector<Patch> patches{{c.patch, {}, 0}};
-            const auto loop = patch::make_window(mesh, c.patch).loop;
-            const Outcome outcome = insert_chords(mesh, patches, n, settings, silent).front();
-            ASSERT_FALSE(outcome.fault.has_value()) << c.name << ": " << outcome.text;
-            mesh.check();
-            EXPECT_EQ(mesh.n_faces(), c.mesh.n_faces() + n * static_cast<int>(loop.size())) << c.name;
-            EXPECT_EQ(singular(mesh), singular(c.mesh) + c.added) << c.name;
-            EXPECT_EQ(outcome.faces_after, outcome.faces_wanted);
-            EXPECT_GT(outcome.quality_after, 0);
-            EXPECT_EQ(patch::make_window(mesh, patches[0].faces).loop.size(), loop.size());
-            for (const int v : loop)
-                EXPECT_EQ(mesh.point(v), c.mesh.point(v));
-        }
-}
-
-TEST(InsertChords, CollapsingTheRingsGivesTheOldConnectivity) {
-    for (const Case &c : cases()) {
-        constexpr int n = 3;
-        mesh::QuadMesh mesh = c.mesh;
-        std::vector<Patch> patches{{c.patch, {}, 0}};
-        insert_chords(mesh, patches, n, settings, silent);
-        EXPECT_FALSE(isomorphic(mesh, c.mesh));
-        for (int left = n; left > 0; --left) {
-            EXPECT_EQ(singular(mesh), singular(c.mesh) + c.added) << c.name;
-            const auto rows = chord::table(mesh, {});
-            const auto ring = std::find_if(rows.begin(), rows.end(), [](const chord::Row &row) {
-                return row.closed && row.reasons == 0;
-            });
-            ASSERT_NE(ring, rows.end()) << c.name;
-            EXPECT_EQ(ring->singular_after, singular(c.mesh) + (left > 1 ? c.added : 0)) << c.name;
-            ASSERT_NO_THROW(collapse_chord(mesh, ring->edge, {}, settings)) << c.name;
-            mesh.check();
-        }
-        EXPECT_TRUE(isomorphic(mesh, c.mesh)) << c.name;
-    }
-}
-
-TEST(InsertChords, RingsInAPatchWithoutCornersAddNoSingularVertex) {
-    mesh::QuadMesh mesh = grid(10, 10);
-    std::vector<Patch> patches{{block(10, 3, 3, 7, 7), {}, 0}};
-    insert_chords(mesh, patches, 1, settings, silent);
-    const std::int64_t before = singular(mesh);
-    const Outcome outcome = insert_chords(mesh, patches, 2, settings, silent).front();
-    EXPECT_FALSE(outcome.fault.has_value()) << outcome.text;
-    EXPECT_EQ(singular(mesh), before);
-}
-
-TEST(InsertChords, LeavesPatchesWithOtherSides) {
-    mesh::QuadMesh mesh = grid(10, 10);
-    std::vector<int> angle = block(10, 2, 2, 7, 4);
-    const std::vector<int> arm = block(10, 2, 4, 4, 7);
-    angle.insert(angle.end(), arm.begin(), arm.end());
-    std::sort(angle.begin(), angle.end());
-    std::vector<Patch> patches{{angle, {}, 0}, {block(10, 6, 6, 9, 9), {0, 1, 2}, 0}};
-    const auto digest = mesh.checksum();
-    for (const Outcome &outcome : insert_chords(mesh, patches, 1, settings, silent))
-        EXPECT_EQ(outcome.fault, Fault::patch);
-    EXPECT_EQ(mesh.checksum(), digest);
-}
 
 TEST(CollapseChord, KeepsElementsUprightAndTheBoundaryInPlace) {
     mesh::QuadMesh mesh = grid(8, 8);
@@ -188,65 +35,25 @@ TEST(CollapseChord, KeepsElementsUprightAndTheBoundaryInPlace) {
                 }
         }
 }
-
-TEST(AdaptChords, RemovesOrSplitsWholeChordsTowardsTheCount) {
-    const mesh::QuadMesh start = chord::samples::sphere(8);
-    for (const double alpha : {0.3, 0.6, 1.5, 3.0}) {
-        mesh::QuadMesh mesh = start;
-        const Outcome outcome = adapt_chords(mesh, alpha, 1 << 20, {}, settings, silent);
+TEST(SplitChord, CutsEveryFaceOfTheRow) {
+    const mesh::QuadMesh before = grid(6, 4);
+    for (const int copies : {1, 3}) {
+        mesh::QuadMesh mesh = before;
+        const int edge = mesh.find_edge(0, 1); // of the column i = 0, of 4 faces
+        const Outcome outcome = split_chord(mesh, edge, copies, 1 << 20, {true}, settings);
         mesh.check();
-        const std::int64_t wanted = std::llround(alpha * start.n_faces());
-        EXPECT_EQ(outcome.faces_wanted, wanted);
-        EXPECT_EQ(outcome.faces_after, mesh.n_faces());
-        EXPECT_EQ(singular(mesh), 8);
-        // No other chord fits, and the number is not passed.
-        const std::int64_t missing = alpha < 1 ? mesh.n_faces() - wanted : wanted - mesh.n_faces();
-        EXPECT_GE(missing, 0);
-        for (const chord::Row &row : chord::table(mesh, {}))
-            EXPECT_TRUE(row.reasons != 0 || row.length > missing) << alpha << ": " << missing;
+        EXPECT_EQ(outcome.faces_before, 24);
+        EXPECT_EQ(outcome.faces_after, 24 + 4 * copies);
+        EXPECT_EQ(mesh.n_faces(), 24 + 4 * copies);
+        EXPECT_EQ(outcome.singular_after, 0);
     }
-}
-
-// A torus of 24 by 12 faces of which the rows 5 and 6 are narrow: they go, though others are as short.
-TEST(ApproachByChords, TheNarrowestGoFirst) {
-    const auto place = [](double t) { // [row boundary / 24]
-        const double row = 24 * t;
-        return (row <= 5 ? row : row <= 7 ? 5 + 0.2 * (row - 5) : row - 1.6) / 22.4;
-    };
-    const auto at_angles = [&](double s, double t) {
-        const double a = 2 * std::numbers::pi * place(s), b = 2 * std::numbers::pi * t;
-        return Eigen::Vector3d((3 + std::cos(b)) * std::cos(a), (3 + std::cos(b)) * std::sin(a), std::sin(b));
-    };
-    const mesh::QuadMesh start = mesh::grid(24, 12, at_angles, true, true);
-    ASSERT_EQ(start.n_faces(), 288);
-    const auto narrowest = [](const mesh::QuadMesh &mesh) {
-        double least = 10;
-        for (int e = 0; e < mesh.n_edges(); ++e) {
-            const auto [v, w] = mesh.edge_vertices(e);
-            least = std::min(least, (mesh.point(v) - mesh.point(w)).norm());
-        }
-        return least;
-    };
-    const double before = narrowest(start);
-    mesh::QuadMesh mesh = start;
-    approach_by_chords(mesh, 288 - 12, {}, Order::narrowest, silent);
-    EXPECT_EQ(mesh.n_faces(), 288 - 12);
-    EXPECT_NEAR(narrowest(mesh), 1.5 * before, 0.1 * before); // the other one, wider by half of it
-    approach_by_chords(mesh, 288 - 24, {}, Order::narrowest, silent);
-    EXPECT_EQ(mesh.n_faces(), 288 - 24);
-    EXPECT_GT(narrowest(mesh), 2.3 * before);
-}
-
-TEST(AdaptChords, RemovesEveryChordThatCanGo) {
-    mesh::QuadMesh mesh = chord::samples::scrambled(grid(20, 20, 3), 60, 4);
-    smooth::relax(mesh, 100);
-    adapt_chords(mesh, 1e-9, 1 << 20, {true}, settings, silent);
-    mesh.check();
-    EXPECT_LT(mesh.n_faces(), 400);
-    mesh = chord::samples::sphere(12);
-    adapt_chords(mesh, 1e-9, 1 << 20, {}, settings, silent);
-    EXPECT_LE(mesh.n_faces(), 24);
+    mesh::QuadMesh mesh = before;
+    const auto digest = mesh.checksum();
+    EXPECT_EQ(
+        mesh::failure_of([&] { split_chord(mesh, mesh.find_edge(0, 1), 2, 31, {true}, settings); }).fault,
+        Fault::range);
+    EXPECT_EQ(mesh.checksum(), digest);
 }
 
 } // namespace
-} // namespace alphamst::adapt::samples
+} // namespace alphamst::chords

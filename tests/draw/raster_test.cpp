@@ -8,8 +8,8 @@ namespace {
 // Two unit squares over the corner of one of side 4, at half its depth and twice.
 struct Squares {
     io::Arrays mesh;
-    std::vector<Vector> points{{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}, {0, 0, 1}, {1, 0, 1},
-                               {1, 1, 1}, {0, 1, 1}, {2, 2, 4}, {3, 2, 4}, {3, 3, 4}, {2, 3, 4}};
+    std::vector<Vector3> points{{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}, {0, 0, 1}, {1, 0, 1},
+                                {1, 1, 1}, {0, 1, 1}, {2, 2, 4}, {3, 2, 4}, {3, 3, 4}, {2, 3, 4}};
     Squares() { mesh.faces = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}; }
 };
 

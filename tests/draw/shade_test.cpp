@@ -7,6 +7,8 @@
 namespace alphamst::draw {
 namespace {
 
+namespace samples = io::samples;
+
 bool is_sand(const std::string &tone) { return tone.substr(1, 2) > tone.substr(5, 2); } // more red than blue
 
 TEST(Shade, DrawsWhatIsInFrontLast) {

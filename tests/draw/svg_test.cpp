@@ -9,6 +9,8 @@
 namespace alphamst::draw {
 namespace {
 
+namespace samples = io::samples;
+
 std::size_t count(const std::string &text, const std::string &part) {
     std::size_t n = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
@@ -87,15 +89,15 @@ TEST(Svg, DrawsAnyMesh) {
     point.points = {1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3};
     point.faces = {0, 1, 2, 3};
     for (const io::Arrays &mesh : {io::Arrays(), huge, point, samples::grid(3, 3)}) {
-        write(folder / "a.svg", mesh);
-        write(folder / "b.svg", mesh);
+        write_svg(folder / "a.svg", picture(mesh));
+        write_svg(folder / "b.svg", picture(mesh));
         const std::string text = samples::contents(folder / "a.svg");
         EXPECT_EQ(text, samples::contents(folder / "b.svg"));
         EXPECT_EQ(text.find("nan"), std::string::npos);
         EXPECT_EQ(text.substr(text.size() - 7), "</svg>\n");
     }
-    write(folder / "cube.svg", huge); // the same picture as of the unit cube
-    write(folder / "unit.svg", samples::cube());
+    write_svg(folder / "cube.svg", picture(huge)); // the same picture as of the unit cube
+    write_svg(folder / "unit.svg", picture(samples::cube()));
     EXPECT_EQ(count(samples::contents(folder / "cube.svg"), "z"),
               count(samples::contents(folder / "unit.svg"), "z"));
 }
@@ -120,9 +122,9 @@ std::string path(const std::string &text, const std::string &stroke) {
 TEST(Svg, DrawsAPlaneMeshAlikeInTwoAndThreeDimensions) {
     const samples::Folder folder;
     io::Arrays mesh = samples::grid(4, 2);
-    write(folder / "2.svg", mesh);
+    write_svg(folder / "2.svg", picture(mesh));
     mesh.dim = 3;
-    write(folder / "3.svg", mesh);
+    write_svg(folder / "3.svg", picture(mesh));
     const std::string text = samples::contents(folder / "2.svg");
     EXPECT_EQ(text, samples::contents(folder / "3.svg"));
     EXPECT_NE(text.find("<path fill=\"#f2f0e6\" stroke=\"#888\""), std::string::npos); // one colour for all
@@ -131,7 +133,7 @@ TEST(Svg, DrawsAPlaneMeshAlikeInTwoAndThreeDimensions) {
 
 TEST(Svg, ShowsThreeSidesOfACubeInThreeTones) {
     const samples::Folder folder;
-    write(folder / "cube.svg", samples::cube());
+    write_svg(folder / "cube.svg", picture(samples::cube()));
     const std::string text = samples::contents(folder / "cube.svg");
     EXPECT_EQ(count(text, "z\"/>"), 3u) << text;
     const std::vector<std::string> found = tones(text);
@@ -149,9 +151,9 @@ TEST(Svg, ShowsTheHalfOfASphereThatFacesTheEye) {
     io::Arrays turned_over = sphere;
     for (std::size_t f = 0; f < turned_over.faces.size(); f += 4)
         std::swap(turned_over.faces[f + 1], turned_over.faces[f + 3]);
-    write(folder / "a.svg", sphere);
-    write(folder / "b.svg", sphere);
-    write(folder / "c.svg", turned_over);
+    write_svg(folder / "a.svg", picture(sphere));
+    write_svg(folder / "b.svg", picture(sphere));
+    write_svg(folder / "c.svg", picture(turned_over));
     const std::string text = samples::contents(folder / "a.svg");
     const std::size_t n = sphere.faces.size() / 4, drawn = faces(text);
     EXPECT_GT(drawn, 45 * n / 100);

@@ -7,6 +7,8 @@
 namespace alphamst::draw {
 namespace {
 
+namespace samples = io::samples;
+
 TEST(View, TellsCurvedFromPlane) {
     EXPECT_FALSE(project(samples::grid(4, 2)).curved);
     EXPECT_TRUE(project(samples::grid(4, 3)).curved);
@@ -53,7 +55,7 @@ TEST(View, StandsUpright) {
         }
 }
 
-// A disc shows its edge to who looks along the reference, and more to who looks from above.
+// A disc shows its edge to who looks along the ground, and more to who looks from above.
 TEST(View, LooksWhereMostIsSeen) {
     io::Arrays disc = samples::sphere(8);
     for (std::size_t v = 0; v < disc.points.size(); v += 3)

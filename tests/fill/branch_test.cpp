@@ -50,7 +50,7 @@ TEST(Branch, AtACornerTheFourthVertexIsNewOrOfTheFront) {
         EXPECT_EQ(branch.quad[0], 11);
         EXPECT_EQ(branch.quad[1], 0);
         EXPECT_EQ(branch.quad[2], 1);
-        if (branch.quad[3] != -1) { // cuts the front in two, at a vertex with faces to target_count
+        if (branch.quad[3] != -1) { // cuts the front in two, at a vertex with faces to share
             EXPECT_EQ(branch.parts.size(), 2U);
             EXPECT_GE(word[static_cast<std::size_t>(branch.quad[3])], 3);
         }

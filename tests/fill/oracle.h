@@ -278,7 +278,7 @@ private:
             for (const int v : loop) {
                 const Vertex &vertex = at(v);
                 const int most = largest(vertex) - vertex.faces - (vertex.open - 1);
-                if (vertex.open > 1) { // any target_count of what is left
+                if (vertex.open > 1) { // any share of what is left
                     low -= 1;
                     high -= 2 - most;
                 } else {

@@ -71,7 +71,7 @@ void campaign(int corners, std::size_t sample) {
     }
 }
 
-// As far as the brute force gets. It looks at fillings up to a target_count of the squared perimeter, well
+// As far as the brute force gets. It looks at fillings up to a share of the squared perimeter, well
 // above the largest ones known (one singularity in a triangle: 1/12).
 TEST(Polygon, TableIsTheBruteForce) {
     struct Range {

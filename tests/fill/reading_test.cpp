@@ -30,7 +30,7 @@ TEST(Reading, ARectangleIsReadAsItself) {
     EXPECT_EQ(first.changed, 0);
     EXPECT_EQ(first.least, 0);
     EXPECT_DOUBLE_EQ(first.natural, 20);
-    EXPECT_DOUBLE_EQ(first.approximation_error, std::log(2.0));
+    EXPECT_DOUBLE_EQ(first.count_error, std::log(2.0));
 }
 
 TEST(Reading, AnLIsCutToARectangleFirst) {
@@ -69,8 +69,7 @@ TEST(Reading, ReadingsKeepTheirNumbersAndTheirOrder) {
             }
             if (before != nullptr) {
                 EXPECT_TRUE(before->least < reading.least ||
-                            (before->least == reading.least &&
-                             before->approximation_error <= reading.approximation_error));
+                            (before->least == reading.least && before->count_error <= reading.count_error));
             }
             before = &reading;
         }

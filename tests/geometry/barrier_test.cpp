@@ -30,7 +30,7 @@ TEST(Barrier, GradientMatchesDifferencesAndHessianIsPositive) {
             const auto at = [&](double dx, double dy) {
                 return value(barrier, f.stars.at(0), f.points, x + Vector2d(dx, dy));
             };
-            const Expansion e = expand(barrier, f.stars.at(0), f.points, x);
+            const Expansion e = taylor_expansion(barrier, f.stars.at(0), f.points, x);
             if (!std::isfinite(at(0, 0))) {
                 EXPECT_EQ(epsilon, 0.0);
                 EXPECT_FALSE(std::isfinite(e.value));

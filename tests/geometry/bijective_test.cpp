@@ -39,7 +39,7 @@ TEST(Bijective, SimpleLoops) {
     EXPECT_TRUE(simple({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}, {0, 2}}));
     EXPECT_TRUE(simple({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0, 1}})); // in line
     EXPECT_TRUE(simple({{0, 0}, {1, 1}, {2, 2}, {3, 3}, {2, 3}, {0, 1}}));                 // likewise
-    EXPECT_FALSE(simple({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));                                // cross_field
+    EXPECT_FALSE(simple({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));                                // crosses
     EXPECT_FALSE(simple({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}));                        // touches an edge
     EXPECT_FALSE(simple({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}));                // at a vertex
     EXPECT_FALSE(simple({{0, 0}, {2, 0}, {1, 0}, {1, 1}}));                                // back on itself

@@ -70,11 +70,11 @@ TEST(ConvexMap, AVertexOfLargeShareHasNoSay) {
     const Points even = map.solve();
     ASSERT_EQ(even.size(), 9U);
     EXPECT_LT(even[8].norm(), 1e-12);
-    std::vector<double> target_count(9, 3.0);
-    map.weigh_down(target_count); // the same for all
+    std::vector<double> share(9, 3.0);
+    map.weigh_down(share); // the same for all
     EXPECT_LT(map.solve()[8].norm(), 1e-12);
-    target_count[1] = 1e15;
-    map.weigh_down(target_count);
+    share[1] = 1e15;
+    map.weigh_down(share);
     const Points uneven = map.solve();
     EXPECT_LT((uneven[8] - (uneven[3] + uneven[5] + uneven[7]) / 3).norm(), 1e-12);
     EXPECT_EQ(uneven[1], even[1]); // on the circle all the same

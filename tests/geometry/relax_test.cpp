@@ -92,7 +92,7 @@ TEST(Relax, LowersTheBarrierAndTellsHowFarItWent) {
         EXPECT_NEAR(moved, (f.points[0] - from).squaredNorm(), 1e-15);
         EXPECT_LE(value(barrier, f.stars.at(0), f.points, f.points[0]), before);
     }
-    const Expansion end = expand(barrier, f.stars.at(0), f.points, f.points[0]);
+    const Expansion end = taylor_expansion(barrier, f.stars.at(0), f.points, f.points[0]);
     EXPECT_NEAR(end.gx, 0, 1e-4);
     EXPECT_NEAR(end.gy, 0, 1e-4);
 }

@@ -1,4 +1,4 @@
-// A roof of two halves of quads with feature_lines along its ridge.
+// A roof of two halves of quads with feature lines along its ridge.
 #pragma once
 
 #include <cmath>

@@ -59,10 +59,5 @@ TEST(Star, SetsGrowByLayersOfFreeVertices) {
     }
 }
 
-TEST(Star, CrossIsTheSignedArea) {
-    EXPECT_EQ(cross({2, 0}, {1, 3}), 6);
-    EXPECT_EQ(cross({1, 3}, {2, 0}), -6);
-}
-
 } // namespace
 } // namespace alphamst::geometry

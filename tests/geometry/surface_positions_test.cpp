@@ -91,7 +91,7 @@ TEST(SurfacePositions, AQuadFoldedAmongItsNeighboursIsTurnedWhateverTheSurfaceSa
     const std::vector<std::array<int, 4>> quads{{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}};
     // Alone it is fine: its normal is (0.8, 0, -0.6).
     EXPECT_NEAR(scaled_jacobians(Quads(quads).subspan(1, 1), on_surface).at(0), 0.8, 1e-12);
-    EXPECT_NEAR(scaled_jacobian(quads[1], on_surface), 0.8, 1e-12);
+    EXPECT_NEAR(least_jacobian(quads[1], on_surface), 0.8, 1e-12);
     EXPECT_TRUE(judge(Quads(quads).subspan(1, 1), on_surface).valid);
     EXPECT_NEAR(total_area(quads, on_surface), 10 + 1 + 10.6, 1e-12);
     // Against the mean of the normals of the mesh at its corners, by hand.
@@ -117,16 +117,16 @@ TEST(SurfacePositions, VerticesWithoutANormalHaveNoSay) {
         on_surface.normals[k] = way;
         on_surface.add({0, on_surface.points[k] - Vector3d(0, 0, 1), way, 0});
     }
-    const double misled = scaled_jacobian(quads[0], on_surface);
+    const double misled = least_jacobian(quads[0], on_surface);
     EXPECT_NEAR(misled, std::sqrt(0.5), 1e-12);
     on_surface.normals[1] = on_surface.normals[2] = Vector3d::Zero();
-    EXPECT_NEAR(scaled_jacobian(quads[0], on_surface), 1, 1e-12);
-    EXPECT_NEAR(scaled_jacobian(quads[1], on_surface), 1, 1e-12);
+    EXPECT_NEAR(least_jacobian(quads[0], on_surface), 1, 1e-12);
+    EXPECT_NEAR(least_jacobian(quads[1], on_surface), 1, 1e-12);
     // The others still tell that a quad is inverted; without any it goes by itself.
     on_surface.normals[0] = on_surface.normals[3] = Vector3d(0, 0, -1);
-    EXPECT_NEAR(scaled_jacobian(quads[0], on_surface), -1, 1e-12);
+    EXPECT_NEAR(least_jacobian(quads[0], on_surface), -1, 1e-12);
     on_surface.normals[0] = on_surface.normals[3] = Vector3d::Zero();
-    EXPECT_NEAR(scaled_jacobian(quads[0], on_surface), 1, 1e-12);
+    EXPECT_NEAR(least_jacobian(quads[0], on_surface), 1, 1e-12);
 }
 
 // A sphere with its vertices moved at random along it, but for a few, which are fixed.

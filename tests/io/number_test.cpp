@@ -59,7 +59,7 @@ TEST(Number, EveryDoubleComesBack) {
         if (!std::isfinite(x))
             continue;
         std::string text;
-        append(text, x);
+        append_number(text, x);
         double y = 0;
         ASSERT_EQ(real(text, y), Parsed::number) << text;
         ASSERT_EQ(std::bit_cast<std::uint64_t>(x), std::bit_cast<std::uint64_t>(y)) << text;

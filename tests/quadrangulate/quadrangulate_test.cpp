@@ -151,7 +151,7 @@ TEST(Quadrangulate, ARowOfQuadsLeadsFromTriangleToTriangle) {
 }
 
 // Some faces of a mesh of quads cut in two triangles, apart from each other, and two quads.
-Input scattered(const Grid &grid, unsigned seed) {
+Input scattered(const mesh::Grid &grid, unsigned seed) {
     std::mt19937 random(seed);
     Input input;
     input.points = grid.points;
@@ -189,7 +189,7 @@ TEST(Quadrangulate, ScatteredTriangles) {
     std::size_t turns = 0, most = 0;
     for (unsigned seed = 0; seed < 40; ++seed) {
         const bool closed = seed % 2 == 0;
-        const Input input = scattered(closed ? torus(12, 8) : plane(12, 8), seed);
+        const Input input = scattered(closed ? mesh::torus(12, 8) : mesh::plane(12, 8), seed);
         const QuadArrays quads = input.quads();
         const mesh::QuadMesh mesh = expect_sound(input, quads);
         EXPECT_NO_THROW(mesh.check());
@@ -249,7 +249,7 @@ TEST(Quadrangulate, SameAgain) {
 }
 
 Failure refusal(const Input &input) {
-    return failure_of([&] { input.quads(); });
+    return mesh::failure_of([&] { input.quads(); });
 }
 
 TEST(Quadrangulate, Refusals) {

@@ -22,7 +22,7 @@ using Edge = std::array<std::int32_t, 2>;
 using Triangle = std::array<std::int32_t, 3>;
 using Quad = std::array<std::int32_t, 4>;
 
-inline double least_sine(mesh::Points points, const Quad &quad) {
+inline double least_sine(mesh::Coordinates points, const Quad &quad) {
     const std::array<double, 4> sine = sines(points, quad);
     return *std::min_element(sine.begin(), sine.end());
 }
@@ -231,7 +231,7 @@ inline mesh::QuadMesh expect_sound(const Input &input, const QuadArrays &quads, 
     EXPECT_EQ(quads.origin.size(), quads.faces.size() / 4);
     EXPECT_TRUE(std::all_of(quads.origin.begin(), quads.origin.end(),
                             [&](std::int32_t f) { return f >= 0 && f < std::int32_t(input.n_faces()); }));
-    return QuadMesh::build(dim, quads.points, quads.faces);
+    return mesh::QuadMesh::build(dim, quads.points, quads.faces);
 }
 
 // Every quad is two triangles with a common side, every triangle is in one quad.

@@ -200,13 +200,13 @@ TEST(Metric, DegenerateValuesAreVerdicts) {
 }
 
 TEST(Metric, RangesOfTheManual) {
-    EXPECT_EQ(acceptable(Metric::aspect_ratio).high, 1.3);
-    EXPECT_EQ(acceptable(Metric::min_angle).low, 45);
-    EXPECT_EQ(acceptable(Metric::max_angle).high, 135);
-    EXPECT_EQ(acceptable(Metric::scaled_jacobian).low, 0.3);
-    EXPECT_EQ(acceptable(Metric::taper).high, 0.7);
+    EXPECT_EQ(acceptable_range(Metric::aspect_ratio).high, 1.3);
+    EXPECT_EQ(acceptable_range(Metric::min_angle).low, 45);
+    EXPECT_EQ(acceptable_range(Metric::max_angle).high, 135);
+    EXPECT_EQ(acceptable_range(Metric::scaled_jacobian).low, 0.3);
+    EXPECT_EQ(acceptable_range(Metric::taper).high, 0.7);
     for (int i = 0; i < 20; ++i)
-        EXPECT_LT(acceptable(metric_of(i)).low, acceptable(metric_of(i)).high);
+        EXPECT_LT(acceptable_range(metric_of(i)).low, acceptable_range(metric_of(i)).high);
 }
 
 TEST(Summary, CountsAndMoments) {

@@ -14,8 +14,10 @@
 #include "reference/surface_of.h"
 #include "smooth/relax.h"
 
-namespace alphamst::adapt::samples {
+namespace alphamst::reference {
 namespace {
+
+using namespace adapt::samples;
 
 using Eigen::Vector3d;
 
@@ -118,7 +120,7 @@ void expect_in_order(const Box &box) {
         }
 }
 
-TEST(Rails, AreTheStraightEdgesOfABox) {
+TEST(FeatureLines, AreTheStraightEdgesOfABox) {
     Box box;
     EXPECT_TRUE(feature_lines_of(box.mesh).empty()); // no curves yet
     box.mesh.curves = reference::curves_of(box.mesh);
@@ -141,7 +143,7 @@ TEST(Rails, AreTheStraightEdgesOfABox) {
     EXPECT_TRUE(feature_lines_of(box.mesh).empty());
 }
 
-TEST(Rails, AreNotAtBends) {
+TEST(FeatureLines, AreNotAtBends) {
     Box box;
     int bent = 0; // not the last on its edge
     while (box.sides(bent) != 2 || std::abs(box.parameters[at(bent)][box.axis(bent)] - n / 2) > 1)
@@ -156,19 +158,19 @@ TEST(Rails, AreNotAtBends) {
         missing += box.sides(v) == 2 && !feature_lines[at(v)];
     EXPECT_EQ(missing, 3); // at its neighbours the curve bends, too
     const Vector3d before = point_of(box.mesh, bent);
-    EXPECT_GE(smooth(box.mesh, nullptr, {}, silent).at(0).quality_after, 0);
+    EXPECT_GE(smooth::smooth(box.mesh, nullptr, {}, silent).at(0).quality_after, 0);
     EXPECT_EQ(point_of(box.mesh, bent), before);
     EXPECT_FALSE(feature_line_of(box.mesh, bent));
 }
 
-TEST(Rails, SmoothingSpreadsBunchedVertices) {
+TEST(FeatureLines, SmoothingSpreadsBunchedVertices) {
     Box box;
     const Box before = box;
     EXPECT_GT(unevenness(box), 1.8);
     double last = 0;
     std::shared_ptr<const surface::Curves> curves;
     for (int i = 0; i < 4; ++i) {
-        const Outcome outcome = smooth(box.mesh, nullptr, {}, silent).at(0);
+        const Outcome outcome = smooth::smooth(box.mesh, nullptr, {}, silent).at(0);
         EXPECT_GE(outcome.quality_after, std::max(outcome.quality_before, 0.2));
         EXPECT_GT(outcome.quality_after + 0.1, last);
         last = outcome.quality_after;
@@ -185,7 +187,7 @@ TEST(Rails, SmoothingSpreadsBunchedVertices) {
     EXPECT_NEAR(reference::surface_of(box.mesh)->area(), 22, 1e-9); // nothing is cut off
 }
 
-TEST(Rails, WhatIsFixedStays) {
+TEST(FeatureLines, WhatIsFixedStays) {
     Box box(1.5, 1, 0.2);
     std::vector<int> fixed;
     for (int v = 0; v < box.mesh.n_vertices(); ++v)
@@ -194,9 +196,9 @@ TEST(Rails, WhatIsFixedStays) {
             fixed.push_back(v);
         }
     const Box before = box;
-    smooth(box.mesh, nullptr, {}, silent);
+    smooth::smooth(box.mesh, nullptr, {}, silent);
     Reference reference = reference_of(box.mesh);
-    smooth::relax(box.mesh, reference, std::nullopt, {});
+    smooth::relax_by_sizes(box.mesh, reference, std::nullopt, {});
     for (const int v : fixed)
         EXPECT_EQ(box.mesh.point(v), before.mesh.point(v));
     expect_on_edges(box, before.mesh);
@@ -207,7 +209,7 @@ TEST(Rails, WhatIsFixedStays) {
     EXPECT_GT(moved, 12 * (n - 2) * 3 / 4);
 }
 
-TEST(Rails, RelaxingSpreadsBunchedVerticesTheSameOnAnyNumberOfThreads) {
+TEST(FeatureLines, RelaxingSpreadsBunchedVerticesTheSameOnAnyNumberOfThreads) {
     std::vector<std::uint64_t> digests;
     const Box before(1.5, 1, 0.2);
     EXPECT_GT(unevenness(before), 1.4);
@@ -217,7 +219,7 @@ TEST(Rails, RelaxingSpreadsBunchedVerticesTheSameOnAnyNumberOfThreads) {
         settings.threads = threads;
         Reference reference = reference_of(box.mesh);
         for (int i = 0; i < 3; ++i)
-            smooth::relax(box.mesh, reference, std::nullopt, settings);
+            smooth::relax_by_sizes(box.mesh, reference, std::nullopt, settings);
         EXPECT_LT(unevenness(box), 1.25);
         expect_on_edges(box, before.mesh);
         expect_in_order(box);
@@ -228,7 +230,7 @@ TEST(Rails, RelaxingSpreadsBunchedVerticesTheSameOnAnyNumberOfThreads) {
 }
 
 // All quads of an even box are rectangles, whatever side of it the surface's normals on its edges are of.
-TEST(Rails, QuadsAtFeaturesGoByTheirOwnSide) {
+TEST(FeatureLines, QuadsAtFeaturesGoByTheirOwnSide) {
     Box box(1, 1, 0);
     const Reference reference = reference_of(box.mesh);
     std::vector<int> vertices(at(box.mesh.n_vertices()));
@@ -237,7 +239,7 @@ TEST(Rails, QuadsAtFeaturesGoByTheirOwnSide) {
     const auto worst = [&] {
         double least = 1;
         for (const auto &quad : box.mesh.faces())
-            least = std::min(least, geometry::scaled_jacobian(quad, on_surface));
+            least = std::min(least, geometry::least_jacobian(quad, on_surface));
         return least;
     };
     EXPECT_LT(worst(), 0.8);
@@ -256,7 +258,7 @@ TEST(Rails, QuadsAtFeaturesGoByTheirOwnSide) {
         EXPECT_EQ(on_surface.normals[k].isZero(), box.sides(last[k]) > 1);
 }
 
-TEST(Rails, BordersOfRegionsSlideAndStayStraight) {
+TEST(FeatureLines, BordersOfRegionsSlideAndStayStraight) {
     Box box(2, 2, 0.3);
     box.mesh.edge_flags.assign(box.mesh.edge_flags.size(), 0);
     box.mesh.vertex_flags.assign(box.mesh.vertex_flags.size(), 0);
@@ -270,7 +272,7 @@ TEST(Rails, BordersOfRegionsSlideAndStayStraight) {
     Reference reference = reference_of(box.mesh);
     ASSERT_TRUE(box.mesh.curves);
     EXPECT_EQ(box.mesh.curves->lines().size(), 4u);
-    smooth::relax(box.mesh, reference, std::nullopt, {});
+    smooth::relax_by_sizes(box.mesh, reference, std::nullopt, {});
     int moved = 0, on_border = 0;
     for (int v = 0; v < box.mesh.n_vertices(); ++v) {
         const Vector3d &given = box.parameters[at(v)];
@@ -287,10 +289,10 @@ TEST(Rails, BordersOfRegionsSlideAndStayStraight) {
 }
 
 // The whole way: chords, windows, relaxing, exact number of faces.
-TEST(Rails, AnAdaptedBoxHasTheSameEdges) {
+TEST(FeatureLines, AnAdaptedBoxHasTheSameEdges) {
     for (const double alpha : {0.4, 1.5}) {
         Box box;
-        const Outcome outcome = adapt_whole(box.mesh, alpha, {}, silent);
+        const Outcome outcome = adapt::adapt_whole(box.mesh, alpha, {}, silent);
         ASSERT_NO_THROW(box.mesh.check());
         EXPECT_EQ(outcome.faces_after, outcome.faces_wanted);
         EXPECT_LE(outcome.singular_after, 8) << alpha;
@@ -318,7 +320,7 @@ TEST(Rails, AnAdaptedBoxHasTheSameEdges) {
 
 // Two shallow domes that meet at a sharp circle: quads with two sides on it may have positive corners of
 // their own and yet be inverted against what is beyond. None is made.
-TEST(Rails, NoQuadTurnsOverAcrossFeatures) {
+TEST(FeatureLines, NoQuadTurnsOverAcrossFeatures) {
     for (const double alpha : {0.35, 0.5}) {
         mesh::QuadMesh mesh = mesh::cube(10, [](const Vector3d &given) {
             const Vector3d p = (given / 5 - Vector3d::Ones()).normalized();
@@ -330,7 +332,7 @@ TEST(Rails, NoQuadTurnsOverAcrossFeatures) {
             ++sharp;
         }
         EXPECT_EQ(sharp, 40);
-        adapt_whole(mesh, alpha, {}, silent);
+        adapt::adapt_whole(mesh, alpha, {}, silent);
         EXPECT_LE(mesh.n_faces(), 300);
         for (const double quality : reference_of(mesh).scaled_jacobians(mesh))
             EXPECT_GT(quality, 0) << alpha;
@@ -354,12 +356,12 @@ struct Folded : Box {
     }
 };
 
-TEST(Rails, AFoldIsNoCorner) {
+TEST(FeatureLines, AFoldIsNoCorner) {
     const Folded box;
     EXPECT_EQ(std::count(box.mesh.vertex_flags.begin(), box.mesh.vertex_flags.end(), mesh::corner), 8);
 }
 
-TEST(Rails, FoldedVerticesComeInOrder) {
+TEST(FeatureLines, FoldedVerticesComeInOrder) {
     Folded box;
     const Box before(1, 1, 0);
     straighten(box.mesh);
@@ -369,13 +371,13 @@ TEST(Rails, FoldedVerticesComeInOrder) {
     straighten(box.mesh);
     EXPECT_EQ(box.mesh.checksum(), once);
     box = Folded();
-    EXPECT_EQ(adapt_whole(box.mesh, 1, {}, silent).singular_after, 8);
+    EXPECT_EQ(adapt::adapt_whole(box.mesh, 1, {}, silent).singular_after, 8);
     EXPECT_NEAR(reference::surface_of(box.mesh)->area(), 22, 1e-9);
     for (const double quality : reference_of(box.mesh).scaled_jacobians(box.mesh))
         EXPECT_GT(quality, 0);
 }
 
-TEST(Rails, FixedVerticesStayFolded) {
+TEST(FeatureLines, FixedVerticesStayFolded) {
     Folded box;
     for (std::uint8_t &flags : box.mesh.vertex_flags)
         flags |= mesh::fixed;
@@ -385,4 +387,4 @@ TEST(Rails, FixedVerticesStayFolded) {
 }
 
 } // namespace
-} // namespace alphamst::adapt::samples
+} // namespace alphamst::reference

@@ -10,6 +10,8 @@
 namespace alphamst::reference {
 namespace {
 
+using namespace mesh;
+
 using Triangles = std::vector<std::array<int, 3>>;
 
 Triangles triangles_of(std::vector<double> points) {

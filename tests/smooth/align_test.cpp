@@ -9,10 +9,12 @@
 #include "mesh/cross_field.h"
 #include "patch/patches.h"
 #include "reference/surface_of.h"
-#include "refill/trial.h"
+#include "refill/window.h"
 
-namespace alphamst::adapt::samples {
+namespace alphamst::smooth {
 namespace {
+
+using namespace adapt::samples;
 
 // Mean angle in degrees between the sides of the faces and the field there.
 double angle(const mesh::QuadMesh &mesh, const reference::CrossField &cross_field) {
@@ -28,7 +30,7 @@ double angle(const mesh::QuadMesh &mesh, const reference::CrossField &cross_fiel
 mesh::QuadMesh adapted(mesh::QuadMesh mesh, bool align) {
     Settings settings;
     settings.align = align;
-    const Outcome outcome = adapt_whole(mesh, 0.7, settings, silent);
+    const Outcome outcome = adapt::adapt_whole(mesh, 0.7, settings, silent);
     EXPECT_EQ(outcome.faces_after, outcome.faces_wanted);
     EXPECT_GT(outcome.quality_after, 0.1);
     return mesh;
@@ -71,12 +73,14 @@ TEST(Align, WindowsTurnTowardsTheField) {
         std::vector<geometry::Quad> before;
         for (const int f : place.faces)
             before.push_back(reference::quad_of(mesh, f));
-        const auto trial = refill::attempt(mesh, place, goal, {0.1, 0.1, 3, 0}, settings, reference);
-        if (!trial)
+        refill::Trace trace;
+        const auto found =
+            refill::refill_window(mesh, place, goal, {0.1, 0.1, 3, 0}, settings, reference, trace);
+        if (!found)
             continue;
         ++turned;
-        EXPECT_LE(trial->singular_change, 0);
-        EXPECT_LT(trial->alignment_error, cross_field.alignment_error(before) - 2);
+        EXPECT_LE(found->singular_change, 0);
+        EXPECT_LT(found->alignment_error, cross_field.alignment_error(before) - 2);
     }
     EXPECT_GT(turned, 3);
 }
@@ -105,11 +109,11 @@ double farthest(double alpha, double tolerance, std::uint64_t seed) {
     Settings settings;
     settings.seed = seed;
     settings.tolerance = tolerance;
-    const Outcome outcome = adapt_whole(mesh, alpha, settings, silent);
+    const Outcome outcome = adapt::adapt_whole(mesh, alpha, settings, silent);
     EXPECT_EQ(outcome.faces_after, outcome.faces_wanted);
     std::vector<int> all(static_cast<std::size_t>(mesh.n_faces()));
     std::iota(all.begin(), all.end(), 0);
-    const Faces faces(mesh, all);
+    const reference::FaceTree faces(mesh, all);
     double most = 0;
     for (int v = 0; v < before.n_vertices(); ++v)
         most = std::max(most, faces.nearest(reference::point_of(before, v)).spot.distance);
@@ -127,4 +131,4 @@ TEST(Tolerance, KeepsTheSurfaceNearTheMesh) {
 }
 
 } // namespace
-} // namespace alphamst::adapt::samples
+} // namespace alphamst::smooth

@@ -43,7 +43,7 @@ Links plane(int n, const Vector3d &normal, bool lone = false) {
 TEST(CrossField, OneGuideIsFollowedEverywhere) {
     const Links links = plane(33, Vector3d::UnitZ(), true);
     const std::vector<Guide> guides{{500, direction(20) * 7, 1}};
-    const auto crosses = cross_field(links, guides, 20);
+    const auto crosses = solve_cross_field(links, guides, 20);
     ASSERT_EQ(crosses.size(), 33u * 33);
     for (std::size_t i = 0; i < crosses.size(); ++i) {
         EXPECT_NEAR(crosses[i].norm(), 1, 1e-14);
@@ -59,8 +59,8 @@ TEST(CrossField, AnyOfTheFourDirectionsGuides) {
     const Links links = plane(9, normal);
     const Vector3d first = normal.unitOrthogonal(), second = normal.cross(first);
     const Vector3d one = first + 0.4 * second, other = 0.4 * first - second;
-    const auto crosses = cross_field(links, std::vector<Guide>{{0, one, 1}, {80, one, 2}}, 10);
-    const auto turned = cross_field(links, std::vector<Guide>{{0, other, 1}, {80, -one, 2}}, 10);
+    const auto crosses = solve_cross_field(links, std::vector<Guide>{{0, one, 1}, {80, one, 2}}, 10);
+    const auto turned = solve_cross_field(links, std::vector<Guide>{{0, other, 1}, {80, -one, 2}}, 10);
     for (std::size_t i = 0; i < crosses.size(); ++i) {
         EXPECT_LT(apart(crosses[i], one), 1e-5);
         EXPECT_LT(apart(crosses[i], turned[i]), 1e-5);
@@ -76,7 +76,7 @@ TEST(CrossField, GuidesTakeTheShorterWayBetween) {
         guides.push_back({n * j, direction(10), 100});
         guides.push_back({n * j + n - 1, direction(70), 100});
     }
-    const auto crosses = cross_field(links, guides, 200);
+    const auto crosses = solve_cross_field(links, guides, 200);
     for (int i = 0; i < n; ++i) {
         const double wanted = 10 - 30.0 * i / (n - 1);
         EXPECT_LT(apart(crosses[static_cast<std::size_t>(8 * n + i)], direction(wanted)), 0.5) << i;
@@ -87,7 +87,7 @@ TEST(CrossField, HeavierGuidesHaveMoreToSay) {
     const Links links = plane(2, Vector3d::UnitZ());
     const auto mean = [&](double weight) {
         const std::vector<Guide> guides{{0, direction(0), weight}, {0, direction(20), 1}};
-        return apart(cross_field(links, guides, 50)[3], direction(0));
+        return apart(solve_cross_field(links, guides, 50)[3], direction(0));
     };
     EXPECT_NEAR(mean(1), 10, 1e-6);
     EXPECT_LT(mean(3), 6);
@@ -97,7 +97,7 @@ TEST(CrossField, HeavierGuidesHaveMoreToSay) {
 TEST(CrossField, OfNoNodesIsNone) {
     Links links;
     links.begin.push_back(0);
-    EXPECT_TRUE(cross_field(links, {}, 20).empty());
+    EXPECT_TRUE(solve_cross_field(links, {}, 20).empty());
 }
 
 } // namespace

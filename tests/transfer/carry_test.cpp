@@ -64,7 +64,7 @@ QuadMesh adapted(const QuadMesh &before, const std::vector<std::vector<int>> &pa
     std::vector<Patch> regions;
     for (const std::vector<int> &faces : patches)
         regions.push_back({faces, {}, 0});
-    for (const Outcome &outcome : adapt(after, regions, alpha, {}, silent))
+    for (const Outcome &outcome : adapt::adapt(after, regions, alpha, {}, silent))
         EXPECT_FALSE(outcome.fault) << outcome.text;
     carry(before, after, silent);
     return after;
@@ -73,7 +73,7 @@ QuadMesh adapted(const QuadMesh &before, const std::vector<std::vector<int>> &pa
 QuadMesh smoothed(const QuadMesh &before) {
     QuadMesh after = before;
     after.reset_origins();
-    EXPECT_FALSE(smooth(after, nullptr, {}, silent).at(0).fault);
+    EXPECT_FALSE(smooth::smooth(after, nullptr, {}, silent).at(0).fault);
     carry(before, after, silent);
     return after;
 }

@@ -59,7 +59,8 @@ module alphamst_context
         !> listener and user must exist until they are replaced or the context is destroyed.
         procedure :: set_progress
         !> set_log(level [, listener, user, stat, errmsg]): messages up to level, AMST_LOG_OFF to
-        !> AMST_LOG_DEBUG; otherwise as set_progress. Errors: ARGUMENT (level).
+        !> AMST_LOG_DEBUG: at AMST_LOG_INFO one a stage, at AMST_LOG_DEBUG one a patch or window; otherwise
+        !> as set_progress. Errors: ARGUMENT (level).
         procedure :: set_log
         !> set_cancel(flag [, stat, errmsg]): a raised flag stops operations with AMST_ERR_CANCELLED
         !> until it is lowered. From any thread, also while an operation runs.

@@ -15,7 +15,8 @@ module alphamst_report
     !> have the optional arguments stat and errmsg. Errors: RANGE (patch), NOT_FOUND (key).
     type, extends(amst_handle), public :: amst_report
     contains
-        !> get_int(key [, patch]): an AMST_RESULT_* below 1000, kind int64
+        !> get_int(key [, patch]): an AMST_RESULT_* below 1000, kind int64. AMST_RESULT_UNUSED_OPTION: the
+        !> AMST_OPT_* of the first option that was set and had no effect on the call, -1 if none.
         procedure :: get_int
         !> get_real(key [, patch]): an AMST_RESULT_* from 1000
         procedure :: get_real

@@ -153,6 +153,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_RESULT_SINGULAR_AFTER = 5
     integer(c_int32_t), parameter :: AMST_RESULT_SINGULAR_BOUND = 6
     integer(c_int32_t), parameter :: AMST_RESULT_CANDIDATE = 7
+    integer(c_int32_t), parameter :: AMST_RESULT_UNUSED_OPTION = 8
     integer(c_int32_t), parameter :: AMST_RESULT_ALPHA = 1000
     integer(c_int32_t), parameter :: AMST_RESULT_QUALITY_BEFORE = 1001
     integer(c_int32_t), parameter :: AMST_RESULT_QUALITY_AFTER = 1002

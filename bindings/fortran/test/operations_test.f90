@@ -45,6 +45,7 @@ contains
         call claim(report%get_int(AMST_RESULT_SINGULAR_AFTER) == singular .and. singular > 0, 'singular after')
         call claim(report%get_int(AMST_RESULT_SINGULAR_BOUND, 1) == 0, 'bound')
         call claim(report%get_int(AMST_RESULT_CANDIDATE, 1) >= 0, 'candidate')
+        call claim(report%get_int(AMST_RESULT_UNUSED_OPTION) == -1, 'no option without effect')
         call claim(abs(report%get_real(AMST_RESULT_ALPHA) - 1.5_real64) <= 0, 'alpha')
         call claim(abs(report%get_real(AMST_RESULT_QUALITY_BEFORE, 1) - 1) < 1e-12_real64, 'quality before')
         call claim(report%get_real(AMST_RESULT_QUALITY_AFTER, 1) < 1, 'quality after')

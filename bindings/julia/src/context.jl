@@ -95,8 +95,8 @@ end
     set_log!(f, context; level = :info)
     set_log!(nothing, context)
 
-Have `f(level, message)` called with messages up to a level, `:error`, `:warning`, `:info` or
-`:debug`, or no longer. `f` gets the level as such a symbol and is bound like that of
+Have `f(level, message)` called with messages up to a level, `:error`, `:warning`, `:info` (one a
+stage) or `:debug` (one a patch or window), or no longer. `f` gets the level as such a symbol and is bound like that of
 [`set_progress!`](@ref); it cannot cancel. If it throws, the exception is thrown on when the
 operation has ended, which may then have changed the mesh.
 """

@@ -19,7 +19,7 @@ split with `quadrangulate = 1`; all given vertices keep their ids. Strided matri
 are read where they lie; other ones are converted first. Nothing is kept of them.
 
 The format of a file is told by its extension: `.off`, `.obj`, `.ply`, `.msh` (Gmsh 1, 2.2 and
-4.1 ASCII), `.su2`, `.vtk` (legacy). Dim is 2 when every z is 0. Regions and numbered edges are kept;
+4.1 ASCII), `.su2`, `.vtk` (legacy). Dim is 2 when every z is 0. Regions and marked edges are kept;
 the boundaries of an `.su2` file get the numbers 1, 2, ... in the order of the file.
 
 Throws `AlphaMSTError`: ARGUMENT, RANGE (corner), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD, and for files

@@ -27,8 +27,8 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `quadrangulate` | 0 | 0: triangles of a new mesh are paired, 1: every face is split |
 | `edit_boundary` | 0 | 0 or 1: chords that end on the boundary or cross features may go |
 | `strategy` | 0 | 0: a whole mesh is adapted by windows, 1: by chords alone |
-| `align` | 0 | 0 or 1: edges of a whole curved mesh turn to its cross field |
-| `chart` | 0 | map of curved patches, 0: a plane or a circle, 1: mean value, 2: conformal, 3: low stretch |
+| `align` | 0 | 0 or 1: edges of curved meshes follow their cross field |
+| `chart` | 0 | map of what is curved, 0: a plane or a circle, 1: mean value, 2: conformal, 3: low stretch |
 | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
 | `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
 | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |

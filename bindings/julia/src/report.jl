@@ -5,6 +5,7 @@ const result_keys = (status = AMST_RESULT_STATUS, faces_before = AMST_RESULT_FAC
                      singular_before = AMST_RESULT_SINGULAR_BEFORE,
                      singular_after = AMST_RESULT_SINGULAR_AFTER,
                      singular_bound = AMST_RESULT_SINGULAR_BOUND, candidate = AMST_RESULT_CANDIDATE,
+                     unused_option = AMST_RESULT_UNUSED_OPTION,
                      alpha = AMST_RESULT_ALPHA, quality_before = AMST_RESULT_QUALITY_BEFORE,
                      quality_after = AMST_RESULT_QUALITY_AFTER, seconds = AMST_RESULT_SECONDS)
 
@@ -21,11 +22,12 @@ What an operation did, in all or to one patch; a `Report` outlives mesh and patc
 | `:singular_before`, `:singular_after` | interior vertices of valence other than 4, of a patch with its boundary |
 | `:singular_bound` | least number that any filling of the boundary has |
 | `:candidate` | 0: filling as predicted; n: geometry forced the n-th later one |
+| `:unused_option` | number of the first setting that was given and had no effect on the call, -1 if none |
 | `:alpha` | after / before |
 | `:quality_before`, `:quality_after` | smallest scaled Jacobian |
 | `:seconds` | time spent |
 
-The first five rows are `Int64`, the others `Float64`. Over all patches counts are sums, singularities
+The first six rows are `Int64`, the others `Float64`. Over all patches counts are sums, singularities
 those of the whole mesh and qualities the smallest; an operation without patches has only that.
 Throws `AlphaMSTError`: RANGE (patch), NOT_FOUND (number of a key that the library does not know).
 """

@@ -11,11 +11,12 @@
         @test at(:singular_after) == length(singularities(mesh)) > 0
         @test at(:singular_bound) == 0
         @test 0 <= at(:candidate) <= 1000
+        @test at(:unused_option) == -1
         @test at(:alpha) === 45 / 36
         @test at(:quality_before) ≈ 1
         @test 0 < at(:quality_after) < 1
         @test at(:seconds) isa Float64 && 0 <= at(:seconds) < 60
-        numbers = [at(number) for number in [0:7; 1000:1002]]
+        numbers = [at(number) for number in [0:8; 1000:1002]]
         @test numbers == [at(key) for key in keys(AlphaMST.result_keys) if key !== :seconds]
     end
     @test report[:quality_after] ≈ quality_summary(mesh, :scaled_jacobian).min

@@ -164,6 +164,7 @@ pub const AMST_RESULT_SINGULAR_BEFORE: amst_result = 4;
 pub const AMST_RESULT_SINGULAR_AFTER: amst_result = 5;
 pub const AMST_RESULT_SINGULAR_BOUND: amst_result = 6;
 pub const AMST_RESULT_CANDIDATE: amst_result = 7;
+pub const AMST_RESULT_UNUSED_OPTION: amst_result = 8;
 pub const AMST_RESULT_ALPHA: amst_result = 1000;
 pub const AMST_RESULT_QUALITY_BEFORE: amst_result = 1001;
 pub const AMST_RESULT_QUALITY_AFTER: amst_result = 1002;

@@ -20,11 +20,11 @@ enumeration! {
         Off = AMST_LOG_OFF,
         /// Failures.
         Error = AMST_LOG_ERROR,
-        /// What was left undone, too.
+        /// What was left undone and options without effect, too.
         Warning = AMST_LOG_WARNING,
-        /// What was done, too.
+        /// What was done, too: one line a stage.
         Info = AMST_LOG_INFO,
-        /// Everything.
+        /// Everything: one line a patch or window.
         Debug = AMST_LOG_DEBUG,
     }
 }

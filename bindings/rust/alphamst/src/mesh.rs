@@ -89,9 +89,9 @@ impl Mesh {
     /// A mesh from a file: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII) .su2 .vtk (legacy). It has
     /// dim 2 when every z is 0. Region numbers of faces and boundary numbers of edges in .msh and .vtk
     /// files are kept and written again; the boundaries of a .su2 file get the numbers 1, 2, ... in the
-    /// order of the file. Borders of regions and numbered edges act as [`Flags::FEATURE`]. Triangles become
+    /// order of the file. Borders of regions and marked edges act as [`Flags::FEATURE`]. Triangles become
     /// quads as in [`Mesh::from_strided`], but none is merged with one of another region or over a
-    /// numbered edge.
+    /// marked edge.
     ///
     /// Errors: `Io`, `Format`, `Unsupported` (extension, binary variant), `Argument` (a path that is not
     /// UTF-8) and those of [`Mesh::new`].

@@ -26,9 +26,9 @@ enumeration! {
         EditBoundary = AMST_OPT_EDIT_BOUNDARY,
         /// Integer, 0: a whole mesh is adapted by windows, 1: by chords alone.
         Strategy = AMST_OPT_STRATEGY,
-        /// Integer 0 or 1, 0: edges of a whole curved mesh turn to its cross field.
+        /// Integer 0 or 1, 0: edges of curved meshes follow their cross field.
         Align = AMST_OPT_ALIGN,
-        /// Integer, 0: map of curved patches, 0: a plane or a circle, 1: mean value, 2: conformal,
+        /// Integer, 0: map of what is curved, 0: a plane or a circle, 1: mean value, 2: conformal,
         /// 3: low stretch.
         Chart = AMST_OPT_CHART,
         /// Real, 0.0: no filling with a scaled Jacobian at or below, 0 to 1.

@@ -5,7 +5,7 @@ use alphamst_sys as sys;
 
 use crate::enumeration::enumeration;
 use crate::error::{must, value};
-use crate::{array, EdgeId, Entity, FaceId, PatchId, Result, Status, VertexId};
+use crate::{array, EdgeId, Entity, FaceId, OptionKey, PatchId, Result, Status, VertexId};
 
 enumeration! {
     /// A result of an operation, see the methods of [`Outcome`].
@@ -26,6 +26,8 @@ enumeration! {
         SingularBound = AMST_RESULT_SINGULAR_BOUND,
         /// Integer: [`Outcome::candidate`].
         Candidate = AMST_RESULT_CANDIDATE,
+        /// Integer: [`Outcome::unused_option`].
+        UnusedOption = AMST_RESULT_UNUSED_OPTION,
         /// Real: [`Outcome::alpha`].
         Alpha = AMST_RESULT_ALPHA,
         /// Real: [`Outcome::quality_before`].
@@ -246,6 +248,20 @@ impl<'a> Outcome<'a> {
     /// ```
     pub fn status(&self) -> Status {
         (must(self.get_int(ResultKey::Status)) as i32).into()
+    }
+
+    /// The first option that was set and had no effect on the call, of all together. Also `None` if it is
+    /// one that this crate does not know.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let options = Options::new().tolerance(0.3)?; // a plane mesh is as near as can be
+    /// let report = mesh.adapt(None, 2.0, &options)?;
+    /// assert_eq!(report.all().unused_option(), Some(OptionKey::Tolerance));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn unused_option(&self) -> Option<OptionKey> {
+        OptionKey::try_from(must(self.get_int(ResultKey::UnusedOption)) as i32).ok()
     }
 
     /// Interior vertices of one valence before the operation.

@@ -57,8 +57,9 @@ fn getters_are_those_of_their_keys() {
             outcome.singular_after() as i64,
             outcome.singular_bound() as i64,
             outcome.candidate() as i64,
+            outcome.unused_option().map_or(-1, |key| i32::from(key) as i64),
         ];
-        assert_eq!(integers, [0, 1, 2, 3, 4, 5, 6, 7].map(|key| outcome.get_int(key).unwrap()));
+        assert_eq!(integers, [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|key| outcome.get_int(key).unwrap()));
         let reals = [outcome.alpha(), outcome.quality_before(), outcome.quality_after(), outcome.seconds()];
         assert_eq!(reals, [1000, 1001, 1002, 1003].map(|key| outcome.get_real(key).unwrap()));
         assert_eq!(outcome.get_int(ResultKey::Alpha).unwrap_err().status, Status::NotFound);

@@ -1,13 +1,15 @@
-#include "refill/propose.h"
+#include "refill/patch.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "reference/statistics.h"
+#include "refill/buffer_ring.h"
 #include "refill/cavity.h"
-#include "refill/obstacle.h"
 
 namespace alphamst::refill {
 namespace {
@@ -37,10 +39,9 @@ std::int64_t bound(const Cavity &cavity, const mesh::QuadMesh &mesh) {
     return forced;
 }
 
-// The best places so far and where it came from.
+// The best filling so far and where it came from.
 struct Best {
-    fill::Filling filling;
-    CavityEmbedding laid;
+    std::optional<Evaluation> evaluation;
     std::map<int, std::int64_t> valences;
     std::int64_t number = -1;
 };
@@ -48,6 +49,8 @@ struct Best {
 // A smallest scaled Jacobian (Verdict's acceptable one) above which other fillings of the same
 // numbers are not tried.
 constexpr double comfortable = 0.3;
+// Nothing is asked of shapes and of the number of poor quads but the smallest scaled Jacobian.
+constexpr double any_shape = 0, any_number = 1e18;
 
 // Tries fillings in their order and keeps the best shape. The first that fits sets the numbers
 // that were predicted.
@@ -58,19 +61,20 @@ class Choice {
     static constexpr std::int64_t most_hope = 20000;
 
 public:
-    Choice(const Cavity &cavity, const Goal &goal, const Settings &settings)
-        : cavity_(cavity), goal_(goal), settings_(settings), present_(cavity.present()),
-          singular_before_(singular(cavity.valences(cavity.old))) {}
+    Choice(const Cavity &cavity, Evaluator &evaluator, const Trace &trace, const Goal &goal,
+           const Settings &settings)
+        : cavity_(cavity), evaluator_(evaluator), trace_(trace), goal_(goal), settings_(settings),
+          present_(cavity.present()), singular_before_(singular(cavity.valences(cavity.old))),
+          // Larger than the least quality, by whatever that is.
+          bounds_{std::nextafter(settings.min_quality, 2.0), any_shape, any_number, 0} {}
 
+    // Without an evaluation where nothing is as good as what is there.
     Best run() {
         each([&](PlacedFilling shape) { return !try_one(std::move(shape)); });
         if (first_faces_ < 0)
             refuse_count(cavity_, goal_);
-        if (best_.number < 0)
-            throw Refusal{Fault::geometry,
-                          "none of " + std::to_string(tried_) +
-                              " fillings could be given a valid shape; try another alpha, a rounder "
-                              "patch or a larger number of candidates"};
+        if (best_.number < 0 && !present_)
+            throw Refusal{Fault::geometry, why_none()};
         return std::move(best_);
     }
 
@@ -87,6 +91,15 @@ public:
     }
 
 private:
+    std::string why_none() const {
+        const int far = trace_.of(Refused::distance);
+        std::string text = "none of " + std::to_string(tried_) + " fillings could be given a valid shape";
+        if (far > 0)
+            text += "; " + std::to_string(far) +
+                    " of them would be farther from the surface than AMST_OPT_TOLERANCE";
+        return text + "; try another alpha, a rounder patch or a larger number of candidates";
+    }
+
     // Visits the fillings that fit until one is refused; the present one comes before the
     // first that has at least as many singularities.
     template <class Visit> void each(const Visit &visit) {
@@ -132,38 +145,66 @@ private:
             return true;
         if (tried_here_ >= settings_.candidates && !is_old(filling))
             return false;
-        if (obstacles_.met_by(filling) ||
+        if (!evaluator_.fits(filling) ||
             (goal_.keep_quality && tried_ * faces > most_hope && !is_old(filling)))
             return false;
         later_ += as_predicted ? 0 : 1;
         ++tried_;
         ++tried_here_;
-        return judge(std::move(shape), std::move(valences), as_predicted || goal_.keep_quality ? 0 : later_);
+        return judge(shape, std::move(valences), as_predicted || goal_.keep_quality ? 0 : later_);
     }
 
     // Whether the filling is good enough to end the search.
-    bool judge(PlacedFilling shape, std::map<int, std::int64_t> valences, std::int64_t number) {
-        CavityEmbedding laid = cavity_.lay(shape);
-        const double quality = laid.min_scaled_jacobian;
-        if (laid.stuck >= 0)
-            obstacles_.learn(shape.filling, laid.stuck);
-        if (!laid.valid || quality <= settings_.min_quality)
+    bool judge(const PlacedFilling &shape, std::map<int, std::int64_t> valences, std::int64_t number) {
+        auto evaluation = evaluator_.evaluate(shape, bounds_);
+        if (!evaluation)
             return false;
-        if (best_.number < 0 || quality > best_.laid.min_scaled_jacobian)
-            best_ = {std::move(shape.filling), std::move(laid), std::move(valences), number};
+        const double quality = evaluation->shape.scaled_jacobian;
+        if (best_.number < 0 || better(*evaluation, *best_.evaluation))
+            best_ = {std::move(evaluation), std::move(valences), number};
         return quality >=
                (goal_.keep_quality ? cavity_.old_quality : std::min(cavity_.old_quality, comfortable));
     }
 
+    // Of equal numbers the one along the cross field, where there is one.
+    bool better(const Evaluation &now, const Evaluation &best) const {
+        if (cavity_.reference().cross_field != nullptr &&
+            std::min(now.shape.scaled_jacobian, best.shape.scaled_jacobian) >= comfortable)
+            return now.replacement.alignment_error < best.replacement.alignment_error;
+        return now.shape.scaled_jacobian > best.shape.scaled_jacobian;
+    }
+
     const Cavity &cavity_;
+    Evaluator &evaluator_;
+    const Trace &trace_;
     const Goal &goal_;
     const Settings &settings_;
     const std::optional<Cavity::Candidate> present_;
     const std::int64_t singular_before_;
-    Obstacles obstacles_;
+    const ShapeBounds bounds_;
     Best best_;
     std::int64_t first_faces_ = -1, first_singular_ = -1, later_ = 0, tried_ = 0, tried_here_ = 0;
 };
+
+Proposal finish(Proposal proposal, std::chrono::steady_clock::time_point start) {
+    proposal.outcome.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return proposal;
+}
+
+// The faces around a patch matter where features run along its border.
+std::vector<int> buffer_of(const mesh::QuadMesh &mesh, const Cavity &cavity) {
+    if (!mesh.curves || !cavity.curved())
+        return {};
+    std::vector<int> faces;
+    for (const int v : cavity.window.loop)
+        for (const int f : mesh.faces_around(v))
+            if (!std::binary_search(cavity.window.faces.begin(), cavity.window.faces.end(), f))
+                faces.push_back(f);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+}
 
 } // namespace
 
@@ -183,42 +224,44 @@ Proposal propose(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goa
         outcome.valences_before = outcome.valences_after = cavity.valences(cavity.old);
         outcome.singular_before = outcome.singular_after = singular(outcome.valences_before);
         outcome.singular_bound = bound(cavity, mesh);
-        outcome.quality_before = outcome.quality_after = cavity.old_quality;
-        proposal.window = cavity.window;
-        Best best = Choice(cavity, goal, settings).run();
-        proposal.points = cavity.lift(best.laid);
-        proposal.filling = std::move(best.filling);
-        outcome.faces_after = static_cast<std::int64_t>(proposal.filling.quads.size());
+        outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
+        const BufferRing buffer(mesh, cavity, buffer_of(mesh, cavity), true);
+        Evaluator evaluator(mesh, cavity, buffer, settings, proposal.trace);
+        Best best = Choice(cavity, evaluator, proposal.trace, goal, settings).run();
+        proposal.unchanged = !best.evaluation;
+        if (proposal.unchanged)
+            return finish(std::move(proposal), start);
+        proposal.replacement = std::move(best.evaluation->replacement);
+        const Replacement &taken = proposal.replacement;
+        outcome.quality_after =
+            reference::least_quality(mesh, taken.window.loop, taken.filling.quads, taken.points);
+        outcome.faces_after = static_cast<std::int64_t>(taken.filling.quads.size());
         outcome.valences_after = std::move(best.valences);
         outcome.singular_after = singular(outcome.valences_after);
         outcome.candidate = best.number;
-        outcome.quality_after = best.laid.min_scaled_jacobian;
     } catch (const Refusal &refusal) {
         outcome.fault = refusal.fault;
         outcome.text = refusal.text;
     }
-    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return proposal;
+    return finish(std::move(proposal), start);
 }
 
 Prediction first_choice(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal,
                         const Settings &settings, const reference::Reference &reference) {
     try {
         const Cavity cavity(mesh, patch, goal, settings, reference);
-        Choice choice(cavity, goal, settings);
-        if (!goal.keep_quality)
-            return choice.first();
-        // Which one is better than the present filling only its shape can tell.
-        const Best best = choice.run();
-        return {static_cast<std::int64_t>(best.filling.quads.size()), singular(best.valences)};
+        const BufferRing buffer(mesh, cavity, {}, true);
+        Trace trace;
+        Evaluator evaluator(mesh, cavity, buffer, settings, trace);
+        return Choice(cavity, evaluator, trace, goal, settings).first();
     } catch (const Refusal &refusal) {
         throw Failure(refusal.fault, refusal.text);
     }
 }
 
-mesh::QuadMesh::Replaced commit(mesh::QuadMesh &mesh, const Proposal &proposal) {
-    return mesh.replace_disk(proposal.window.faces, proposal.window.loop, proposal.filling.quads,
-                             proposal.points);
+mesh::QuadMesh::Replaced commit(mesh::QuadMesh &mesh, const Replacement &replacement) {
+    return mesh.replace_disk(replacement.window.faces, replacement.window.loop, replacement.filling.quads,
+                             replacement.points);
 }
 
 } // namespace alphamst::refill

@@ -1,0 +1,191 @@
+#include "adapt/patches.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "adapt/commit.h"
+#include "adapt/log.h"
+#include "index.h"
+#include "parallel/workers.h"
+
+namespace alphamst::adapt {
+namespace {
+
+// The first patches in order that share no vertex with another of the batch.
+std::vector<std::size_t> independent(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches,
+                                     std::vector<std::size_t> &waiting) {
+    std::vector<char> used(at(mesh.n_vertices()), 0);
+    std::vector<std::size_t> batch, later;
+    for (const std::size_t p : waiting) {
+        bool free = true;
+        for (const int f : patches[p].faces)
+            for (const int v : mesh.corners(f))
+                free = free && !used[at(v)];
+        // A patch that waits keeps its vertices from those after it, or order would matter.
+        for (const int f : patches[p].faces)
+            for (const int v : mesh.corners(f))
+                used[at(v)] = 1;
+        (free ? batch : later).push_back(p);
+    }
+    waiting = std::move(later);
+    return batch;
+}
+
+// Patches that go on through commits: their faces and corners by names that stay.
+class Followed {
+public:
+    Followed(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches)
+        : faces_(mesh.n_faces()), vertices_(mesh.n_vertices()), names_(patches) {}
+
+    Patch now(std::size_t patch) const {
+        Patch region = names_[patch];
+        for (int &f : region.faces)
+            f = faces_.now(f);
+        for (int &v : region.corners)
+            v = vertices_.now(v);
+        return region;
+    }
+
+    // The patch was refilled. replacement: in the numbers of the mesh just before.
+    void follow(std::size_t patch, const refill::Replacement &replacement,
+                const mesh::QuadMesh::Replaced &replaced) {
+        for (const int f : replacement.window.faces)
+            faces_.remove(f);
+        for (const int v : replacement.window.interior)
+            vertices_.remove(v);
+        names_[patch].faces.clear();
+        for (const int f : replaced.faces)
+            names_[patch].faces.push_back(faces_.add(f));
+        for (const int v : replaced.vertices)
+            vertices_.add(v);
+        for (const auto &[from, to] : replaced.moved_faces)
+            faces_.move(from, to);
+        for (const auto &[from, to] : replaced.moved_vertices)
+            vertices_.move(from, to);
+    }
+
+private:
+    mesh::Renumbered faces_, vertices_;
+    std::vector<Patch> names_;
+};
+
+// The faces that the mesh will have.
+std::int64_t faces_wanted(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches, const GoalOf &goal) {
+    std::int64_t faces = mesh.n_faces();
+    for (const Patch &patch : patches)
+        faces += goal(patch).faces - static_cast<std::int64_t>(patch.faces.size());
+    return std::max<std::int64_t>(1, faces);
+}
+
+} // namespace
+
+PatchReference::PatchReference(mesh::QuadMesh &mesh, const std::vector<Patch> &patches,
+                               const Settings &settings, const GoalOf &goal)
+    : reference(reference::reference_of(mesh, patches)) {
+    if (!reference.surface)
+        return;
+    mesh.surface = reference.surface;
+    reference = reference::reference_of(mesh);
+    if (!reference.surface)
+        return;
+    reference.planes_first = true;
+    const std::int64_t wanted = faces_wanted(mesh, patches, goal);
+    reference.surface_distance =
+        reference::surface_distance_of(mesh, *reference.surface, wanted, settings.tolerance);
+    tolerance_ = reference.surface_distance->tolerance();
+    if (mesh.field(Entity::vertex, "size") != nullptr)
+        sizing_ = reference::SizingField::of(mesh, reference, wanted);
+    if (settings.align)
+        reference.cross_field = &cross_field_.emplace(mesh);
+}
+
+void PatchReference::loosen(double times) {
+    if (reference.surface_distance)
+        reference.surface_distance->set_tolerance(times * tolerance_);
+}
+
+bool wants_more_room(const refill::Proposal &proposal) {
+    return (proposal.outcome.fault || proposal.unchanged) && proposal.trace.of(refill::Refused::distance) > 0;
+}
+
+namespace {
+
+// One call on the patches of a set.
+class Refill {
+public:
+    Refill(mesh::QuadMesh &mesh, std::vector<Patch> &patches, const Settings &settings,
+           const Progress &progress, const char *stage, const GoalOf &goal)
+        : mesh_(mesh), patches_(patches), settings_(settings), progress_(progress), stage_(stage),
+          goal_(goal), followed_(mesh, patches), workers_(settings.threads),
+          judged_(mesh, patches, settings, goal), outcomes_(patches.size()) {}
+
+    std::vector<Outcome> run() {
+        std::vector<std::size_t> waiting(patches_.size());
+        std::iota(waiting.begin(), waiting.end(), std::size_t{0});
+        for (const double times : tolerances) {
+            judged_.loosen(times);
+            while (!waiting.empty()) {
+                const std::vector<std::size_t> batch = independent(mesh_, patches_, waiting);
+                // Small rounds, so that progress and cancel are heard in time.
+                const std::size_t most = 8 * static_cast<std::size_t>(workers_.count());
+                for (std::size_t first = 0; first < batch.size(); first += most)
+                    refill_round(std::span(batch).subspan(first, std::min(batch.size() - first, most)));
+                for (std::size_t p = 0; p < patches_.size(); ++p)
+                    patches_[p] = followed_.now(p);
+            }
+            waiting.swap(again_);
+        }
+        progress_(1, stage_);
+        for (Patch &region : patches_)
+            std::sort(region.faces.begin(), region.faces.end());
+        return std::move(outcomes_);
+    }
+
+private:
+    void refill_round(std::span<const std::size_t> round) {
+        progress_(std::min(1.0, static_cast<double>(done_) / static_cast<double>(patches_.size())), stage_);
+        std::vector<refill::Proposal> proposals(round.size());
+        workers_.run(round.size(), [&](std::size_t i, std::size_t) {
+            const Patch region = followed_.now(round[i]);
+            proposals[i] = refill::propose(mesh_, region, goal_(region), settings_, judged_.reference);
+        });
+        Commits commits(mesh_, judged_.reference);
+        for (std::size_t i = 0; i < round.size(); ++i) {
+            refill::Proposal &proposal = proposals[i];
+            outcomes_[round[i]] = proposal.outcome;
+            log_patch(settings_, stage_, round[i], proposal);
+            if (wants_more_room(proposal))
+                again_.push_back(round[i]);
+            else
+                ++done_;
+            if (!proposal.outcome.fault && !proposal.unchanged) {
+                const auto replaced = commits.put(proposal.replacement, {});
+                followed_.follow(round[i], proposal.replacement, replaced);
+            }
+        }
+    }
+
+    mesh::QuadMesh &mesh_;
+    std::vector<Patch> &patches_;
+    const Settings &settings_;
+    const Progress &progress_;
+    const char *stage_;
+    const GoalOf &goal_;
+    Followed followed_;
+    const parallel::Workers workers_;
+    PatchReference judged_;
+    std::vector<Outcome> outcomes_;
+    std::vector<std::size_t> again_; // where the tolerance was in the way
+    std::size_t done_ = 0;
+};
+
+} // namespace
+
+std::vector<Outcome> refill_patches(mesh::QuadMesh &mesh, std::vector<Patch> &patches,
+                                    const Settings &settings, const Progress &progress, const char *stage,
+                                    const GoalOf &goal) {
+    return Refill(mesh, patches, settings, progress, stage, goal).run();
+}
+
+} // namespace alphamst::adapt

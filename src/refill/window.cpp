@@ -1,0 +1,103 @@
+#include "refill/window.h"
+
+#include "reference/cross_field.h"
+#include "reference/locate.h"
+
+namespace alphamst::refill {
+namespace {
+
+constexpr double least_gain = 0.05; // of the scaled Jacobian
+// Degrees: what a window that turns gains at least. Fillings that are compared for that.
+constexpr double least_turn = 2, right_angle = 90;
+constexpr int most_compared = 4;
+
+std::vector<geometry::Quad> quads_of(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
+    std::vector<geometry::Quad> quads;
+    for (const int f : faces)
+        quads.push_back(reference::quad_of(mesh, f));
+    return quads;
+}
+
+// Takes the candidates of a window in their order.
+class Search {
+public:
+    Search(const mesh::QuadMesh &mesh, const Place &place, const Cavity &cavity, const Goal &goal,
+           const ShapeBounds &wanted, const Settings &settings, Evaluator &evaluator, Trace &trace)
+        : cavity_(cavity), goal_(goal), wanted_(wanted), settings_(settings), evaluator_(evaluator),
+          trace_(trace), cross_field_(cavity.reference().cross_field) {
+        const ShapeBounds &before = evaluator.before();
+        // Where the old filling is no answer, it is to be bettered.
+        const double gain = goal.forbid_old ? least_gain : 0;
+        bounds_ = {std::min(wanted.scaled_jacobian, before.scaled_jacobian + gain),
+                   std::min(wanted.shape, before.shape), 0, before.inverted};
+        if (goal.forbid_old)
+            evaluator.demand_gain();
+        if (cross_field_ != nullptr && goal.turn)
+            alignment_error_ = cross_field_->alignment_error(quads_of(mesh, place.faces)) - least_turn;
+    }
+
+    std::optional<Replacement> run() {
+        for (const Cavity::Generator &generator : cavity_.generators())
+            for (Cavity::Group group = generator(); !group.empty(); group = generator())
+                for (const Cavity::Candidate &candidate : group)
+                    if (try_one(candidate.build()))
+                        return std::move(best_);
+        return std::move(best_);
+    }
+
+private:
+    // Whether the search is over.
+    bool try_one(const PlacedFilling &shape) {
+        const auto faces = static_cast<std::int64_t>(shape.filling.quads.size());
+        const int change = cavity_.singular_all(shape.filling) - cavity_.old_singular_all;
+        if (best_ && change > best_->singular_change)
+            return true;
+        if (change > goal_.most_added || (!goal_.any_count && faces != goal_.faces))
+            return trace_.refuse(Refused::numbers);
+        if (!evaluator_.fits(shape.filling))
+            return false;
+        // To be rid of an inverted quad is worth as much as to be rid of a singularity.
+        const ShapeBounds &before = evaluator_.before();
+        const int gain = std::max(0, -change) + std::max(before.inverted, evaluator_.inverted_at_features());
+        bounds_.poor = before.poor + gain * wanted_.poor;
+        auto evaluation = evaluator_.evaluate(shape, bounds_);
+        if (!evaluation)
+            return ++tried_ >= settings_.candidates;
+        if (cross_field_ == nullptr || evaluation->replacement.alignment_error < alignment_error_) {
+            alignment_error_ = evaluation->replacement.alignment_error;
+            best_ = std::move(evaluation->replacement);
+        }
+        return cross_field_ == nullptr || ++compared_ >= most_compared;
+    }
+
+    const Cavity &cavity_;
+    const Goal &goal_;
+    const ShapeBounds &wanted_;
+    const Settings &settings_;
+    Evaluator &evaluator_;
+    Trace &trace_;
+    const reference::CrossField *cross_field_;
+    ShapeBounds bounds_;
+    double alignment_error_ = right_angle; // to be bettered
+    std::optional<Replacement> best_;
+    int tried_ = 0, compared_ = 0;
+};
+
+} // namespace
+
+std::optional<Replacement> refill_window(const mesh::QuadMesh &mesh, const Place &place, const Goal &goal,
+                                         const ShapeBounds &wanted, const Settings &settings,
+                                         const reference::Reference &reference, Trace &trace) {
+    try {
+        Patch region;
+        region.faces = place.faces;
+        const Cavity cavity(mesh, region, goal, settings, reference);
+        const BufferRing buffer(mesh, cavity, place.buffer, false);
+        Evaluator evaluator(mesh, cavity, buffer, settings, trace);
+        return Search(mesh, place, cavity, goal, wanted, settings, evaluator, trace).run();
+    } catch (const Refusal &) {
+    }
+    return std::nullopt;
+}
+
+} // namespace alphamst::refill

@@ -1,0 +1,52 @@
+#include "reference/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include "adapt/meshes.h"
+#include "mesh/grids.h"
+
+namespace alphamst::reference {
+namespace {
+
+TEST(Statistics, InteriorVerticesAreCountedByValence) {
+    std::map<int, std::int64_t> valences;
+    std::int64_t singular = 0;
+    count(adapt::samples::star(5, 3), valences, singular); // 2 * 2 in each of 5 sectors, 2 on each spoke
+    EXPECT_EQ(valences, (std::map<int, std::int64_t>{{4, 30}, {5, 1}}));
+    EXPECT_EQ(singular, 1);
+    mesh::Grid grid = mesh::plane(2, 2);
+    grid.points.insert(grid.points.end(), {9, 9, 0}); // of no face
+    count(grid.build(), valences, singular);          // adds up
+    EXPECT_EQ(valences, (std::map<int, std::int64_t>{{4, 31}, {5, 1}}));
+    EXPECT_EQ(singular, 1);
+}
+
+TEST(Statistics, AMeshIsFlattenedIntoItsPlane) {
+    const mesh::QuadMesh mesh = mesh::plane(3, 2).build();
+    const geometry::Points above = flatten(mesh, geometry::Plane::of_coordinates(false));
+    const geometry::Points below = flatten(mesh, geometry::Plane::of_coordinates(true));
+    ASSERT_EQ(above.size(), 12u);
+    ASSERT_EQ(below.size(), 12u);
+    for (int v = 0; v < 12; ++v) {
+        const auto i = static_cast<std::size_t>(v);
+        EXPECT_EQ(above[i], Eigen::Vector2d(mesh.point(v)[0], mesh.point(v)[1]));
+        EXPECT_EQ(below[i].y(), -mesh.point(v)[1]);
+    }
+}
+
+TEST(Statistics, BoundaryVerticesWantAFaceForEachRightAngle) {
+    const mesh::QuadMesh ell = mesh::ell().build();
+    for (int v = 0; v < ell.n_vertices(); ++v)
+        EXPECT_EQ(mismatch(ell, v), 0) << v;
+    // Vertex 1 is straight with one face, vertex 0 of the second mesh square with two.
+    const mesh::QuadMesh flat = mesh::Grid{{0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0}, {0, 1, 2, 3}}.build();
+    EXPECT_EQ(mismatch(flat, 1), 1);
+    EXPECT_EQ(mismatch(flat, 0), 0); // 45 degrees, which are worth a face at least
+    const mesh::QuadMesh split = mesh::Grid{
+        {0, 0, 0, 1, 0, 0, 1.5, 0.5, 0, 1, 1, 0, 0.5, 1.5, 0, 0, 1, 0},
+        {0, 1, 2, 3, 0, 3, 4, 5}}.build();
+    EXPECT_EQ(mismatch(split, 0), -1);
+}
+
+} // namespace
+} // namespace alphamst::reference
