@@ -8,11 +8,11 @@
 #include "geometry/star.h"
 #include "index.h"
 #include "parallel/workers.h"
-#include "patch/grow.h"
 #include "patch/region.h"
 #include "reference/feature_line.h"
 #include "reference/locate.h"
 #include "reference/statistics.h"
+#include "smooth/roll_back.h"
 #include "smooth/shaping.h"
 
 namespace alphamst::smooth {
@@ -96,29 +96,17 @@ std::vector<int> spoiled(const mesh::QuadMesh &mesh, const std::vector<double> &
     return faces;
 }
 
-// The faces of vertices that have come past a neighbour on their feature line, as when only that one was
-// taken back.
-void add_passed(const mesh::QuadMesh &mesh, const geometry::SurfacePositions &on_surface,
-                std::span<const geometry::FeatureLine> feature_lines, std::vector<int> &faces) {
-    for (std::size_t v = 0; v < feature_lines.size(); ++v)
-        if (feature_lines[v] && !feature_lines[v].holds(on_surface.points[v], on_surface.points))
-            for (const int f : mesh.faces_around(static_cast<int>(v)))
-                faces.push_back(f);
-}
-
 // Takes vertices back to where they started from around quads that are spoiled and around samples of the
 // surface that would be too far from the mesh; false if some still are.
 bool keep_good(const mesh::QuadMesh &mesh, const std::optional<reference::SurfaceDistance> &surface_distance,
                const geometry::SurfacePositions &start, geometry::SurfacePositions &on_surface,
                std::vector<reference::SurfaceDistance::Owner> &owners, const geometry::Run &run,
                std::span<const geometry::FeatureLine> feature_lines) {
-    constexpr int most_rounds = 8;
     const std::vector<double> before = geometry::scaled_jacobians(mesh.faces(), start);
     std::vector<int> all(at(mesh.n_faces()));
     std::iota(all.begin(), all.end(), 0);
-    for (int round = 0; round < most_rounds; ++round) {
+    return roll_back(mesh.faces(), start, on_surface, feature_lines, [&] {
         std::vector<int> bad = spoiled(mesh, before, on_surface);
-        add_passed(mesh, on_surface, feature_lines, bad);
         if (surface_distance) {
             std::vector<geometry::Quad> quads(all.size());
             for (std::size_t f = 0; f < quads.size(); ++f)
@@ -126,17 +114,8 @@ bool keep_good(const mesh::QuadMesh &mesh, const std::optional<reference::Surfac
                     quads[f][k] = on_surface.points[at(mesh.faces()[f][k])];
             owners = *surface_distance->cover(all, quads, &bad, run);
         }
-        if (bad.empty())
-            return true;
-        std::sort(bad.begin(), bad.end());
-        bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
-        patch::Growth growth(mesh);
-        for (const int f : growth.surround(bad, 1 + round * (round + 1) / 2))
-            for (const int v : mesh.corners(f))
-                on_surface.put(
-                    v, {start.surface_triangles[at(v)], start.points[at(v)], start.normals[at(v)], 0});
-    }
-    return false;
+        return bad;
+    });
 }
 
 void relax_on_surface(mesh::QuadMesh &mesh, reference::Reference &reference, std::vector<char> fixed,

@@ -9,6 +9,7 @@
 #include "reference/reference.h"
 #include "reference/statistics.h"
 #include "reference/surface_of.h"
+#include "smooth/roll_back.h"
 #include "smooth/shaping.h"
 
 namespace alphamst::smooth {
@@ -81,20 +82,32 @@ void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &
     part.put(mesh, [&](std::size_t i) { return plane.to_space(improved.positions[i]); });
 }
 
+// Where the smallest scaled Jacobian fell: the quads that are worse than they were, and inverted or no better
+// than the worst one was. Elsewhere a quad may be spoiled for others that gain more.
+std::vector<int> spoiled(std::span<const double> before, std::span<const double> now) {
+    const double least = *std::min_element(before.begin(), before.end()), floor = std::max(0.0, least);
+    std::vector<int> quads;
+    if (std::all_of(now.begin(), now.end(), [&](double quality) { return quality >= least; }))
+        return quads;
+    for (std::size_t q = 0; q < now.size(); ++q)
+        if (!(now[q] >= before[q] || now[q] > floor))
+            quads.push_back(static_cast<int>(q));
+    return quads;
+}
+
 void smooth_on_surface(mesh::QuadMesh &mesh, const Part &part, const reference::Reference &reference,
                        const Settings &settings) {
     geometry::SurfacePositions start =
         reference::positions_on_surface(mesh, *reference.surface, reference.surface_triangles, part.vertices);
     reference::forget_normals(mesh, part.vertices, part.quads, start);
-    const double before = geometry::judge(part.quads, start).min_scaled_jacobian;
+    const std::vector<double> before = geometry::scaled_jacobians(part.quads, start);
     const auto try_with = [&](const Part &tried) {
         geometry::SurfacePositions on_surface = start;
         geometry::EmbedOptions options = shaping(settings);
         options.feature_lines = tried.feature_lines;
-        const double improved =
-            geometry::improve(*reference.surface, tried.quads, tried.fixed, on_surface, options)
-                .min_scaled_jacobian;
-        if (!(improved >= before))
+        geometry::improve(*reference.surface, tried.quads, tried.fixed, on_surface, options);
+        if (!roll_back(tried.quads, start, on_surface, tried.feature_lines,
+                       [&] { return spoiled(before, geometry::scaled_jacobians(tried.quads, on_surface)); }))
             return false;
         tried.put(mesh, [&](std::size_t i) { return on_surface.points[i]; });
         return true;
