@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "quality/corner.h"
+#include "surface/triangle.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -24,39 +25,6 @@ std::array<std::array<std::size_t, 3>, 2> cut(const Quad &quad) {
     if (std::min(area(0, 1, 2), area(0, 2, 3)) >= std::min(area(1, 2, 3), area(1, 3, 0)))
         return {{{0, 1, 2}, {0, 2, 3}}};
     return {{{1, 2, 3}, {1, 3, 0}}};
-}
-
-double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
-
-// Weights of b and c in the point of a triangle nearest to p: the walk over its corners, sides and
-// inside of Ericson (Real-Time Collision Detection, 2005, section 5.1.5). His differences of dot products
-// would lose (length / width)^2 of the digits in a slender triangle; the cross products that equal them
-// lose length / width.
-std::array<double, 2> nearest(const Vector3d &a, const Vector3d &b, const Vector3d &c, const Vector3d &p) {
-    const Vector3d ab = b - a, ac = c - a, normal = ab.cross(ac);
-    const double ab_a = ab.dot(p - a), ac_a = ac.dot(p - a);
-    if (ab_a <= 0 && ac_a <= 0)
-        return {0, 0};
-    const double ab_b = ab.dot(p - b), ac_b = ac.dot(p - b);
-    if (ab_b >= 0 && ac_b <= ab_b)
-        return {1, 0};
-    const double at_c = normal.dot((a - p).cross(b - p));
-    if (at_c <= 0 && ab_a >= 0 && ab_b <= 0)
-        return {ratio(ab_a, ab_a - ab_b), 0};
-    const double ab_c = ab.dot(p - c), ac_c = ac.dot(p - c);
-    if (ac_c >= 0 && ab_c <= ac_c)
-        return {0, 1};
-    const double at_b = normal.dot((c - p).cross(a - p));
-    if (at_b <= 0 && ac_a >= 0 && ac_c <= 0)
-        return {0, ratio(ac_a, ac_a - ac_c)};
-    const double at_a = normal.dot((b - p).cross(c - p));
-    const double from_b = ac_b - ab_b, from_c = ab_c - ac_c;
-    if (at_a <= 0 && from_b >= 0 && from_c >= 0) {
-        const double along = ratio(from_b, from_b + from_c);
-        return {1 - along, along};
-    }
-    const double sum = at_a + at_b + at_c;
-    return {ratio(at_b, sum), ratio(at_c, sum)};
 }
 
 // A triangle cut by three lines; each cut adds at most half as many corners as there are.
@@ -104,15 +72,16 @@ QuadPoint closest_point(const Quad &quad, const Eigen::Vector3d &point) {
     QuadPoint best;
     bool first = true;
     for (const auto &[a, b, c] : cut(quad)) {
-        const auto [at_b, at_c] = nearest(quad[a], quad[b], quad[c], point);
-        QuadPoint spot;
-        spot.weights[a] = std::max(0.0, 1 - at_b - at_c);
-        spot.weights[b] = at_b;
-        spot.weights[c] = at_c;
-        spot.distance =
-            (quad[a] + at_b * (quad[b] - quad[a]) + at_c * (quad[c] - quad[a]) - point).squaredNorm();
-        if (first || spot.distance < best.distance)
-            best = spot;
+        const surface::Closest found =
+            surface::closest(point, {quad[a], quad[b], quad[c]},
+                             {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+        if (!first && !(found.squared < best.distance))
+            continue;
+        best = {};
+        best.weights[a] = found.weights[0];
+        best.weights[b] = found.weights[1];
+        best.weights[c] = found.weights[2];
+        best.distance = found.squared;
         first = false;
     }
     return best;

@@ -218,9 +218,12 @@ private:
             return;
         star.lay(problem_, on_surface_, v, options_.feature_lines);
         const double least = least_determinant(star);
-        if (least > 0 &&
-            geometry::sharpen(star.sectors, star.points, 0, floor,
-                              options_.least_area * problem_.area[at(sectors[0].quad)], star.freedom()) > 0)
+        // Sliding is a short cut to better angles: the sides on a feature shrink to nothing. So no corner is
+        // squeezed there that the sweeps would open again.
+        const double smallest =
+            star.feature_line ? std::max(tight, options_.least_area) : options_.least_area;
+        if (least > 0 && geometry::sharpen(star.sectors, star.points, 0, floor,
+                                           smallest * problem_.area[at(sectors[0].quad)], star.freedom()) > 0)
             land(v, star, least);
     }
 

@@ -40,8 +40,8 @@ struct Box {
     std::vector<Vector3d> parameters; // [vertex] 0..n
     mesh::QuadMesh mesh;
 
-    explicit Box(double on_edges = 2, double inside = 2, double noise = 0.4)
-        : mesh(make(on_edges, inside, noise)) {
+    explicit Box(double on_edges = 2, double inside = 2, double noise = 0.4, unsigned seed = 5)
+        : mesh(make(on_edges, inside, noise, seed)) {
         flag_features(mesh);
     }
 
@@ -62,8 +62,8 @@ struct Box {
     Vector3d place(int v) const { return turn.transpose() * point_of(mesh, v); }
 
 private:
-    mesh::QuadMesh make(double on_edges, double inside, double noise) {
-        std::mt19937 random(5);
+    mesh::QuadMesh make(double on_edges, double inside, double noise, unsigned seed) {
+        std::mt19937 random(seed);
         return mesh::cube(n, [&](const Vector3d &given) {
             parameters.push_back(given);
             Vector3d p;
@@ -80,16 +80,21 @@ private:
     }
 };
 
-// The longest edge of the mesh on an edge of the box over the length that all would have.
-double unevenness(const Box &box) {
-    double most = 0;
+// Of each edge of the mesh on an edge of the box: its length over the one that all would have.
+std::vector<double> lengths(const Box &box) {
+    std::vector<double> result;
     for (int e = 0; e < box.mesh.n_edges(); ++e)
         if (box.mesh.edge_flags[at(e)] != 0) {
             const auto [v, w] = box.mesh.edge_vertices(e);
             const int axis = box.axis(box.sides(v) == 3 ? w : v);
-            most = std::max(most, std::abs(box.place(v)[axis] - box.place(w)[axis]) * n / (axis + 1));
+            result.push_back(std::abs(box.place(v)[axis] - box.place(w)[axis]) * n / (axis + 1));
         }
-    return most;
+    return result;
+}
+
+double unevenness(const Box &box) {
+    const std::vector<double> all = lengths(box);
+    return *std::max_element(all.begin(), all.end());
 }
 
 // How far vertices are from the edge of the box that they are on; the corners are where they were.
@@ -185,6 +190,17 @@ TEST(FeatureLines, SmoothingSpreadsBunchedVertices) {
     EXPECT_EQ(box.mesh.edge_flags, before.mesh.edge_flags);
     EXPECT_NEAR(reference::surface_of(before.mesh)->area(), 22, 1e-9);
     EXPECT_NEAR(reference::surface_of(box.mesh)->area(), 22, 1e-9); // nothing is cut off
+}
+
+// Angles at a corner of a quad on a feature would gain if a side shrank to nothing.
+TEST(FeatureLines, SmoothingSqueezesNoSideForItsAngles) {
+    for (const unsigned seed : {5, 6, 11, 13, 14}) {
+        Box box(2, 2, 0.4, seed);
+        for (int i = 0; i < 4; ++i)
+            smooth::smooth(box.mesh, nullptr, {}, silent);
+        const std::vector<double> all = lengths(box);
+        EXPECT_GT(*std::min_element(all.begin(), all.end()), 0.09) << seed;
+    }
 }
 
 TEST(FeatureLines, WhatIsFixedStays) {

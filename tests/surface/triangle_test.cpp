@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <random>
 
 namespace alphamst::surface {
@@ -72,6 +73,34 @@ TEST(Triangle, BothSidesOfAnEdgeFindTheSamePlaceOnIt) {
         }
     }
     EXPECT_GT(on_edge, 50);
+}
+
+// Above the inside, or beside the long edges: no more digits are lost than length / width says.
+TEST(Triangle, SliversLoseNoMoreDigitsThanTheyMust) {
+    std::mt19937 random(3);
+    const auto any = [&](double most) { return most * static_cast<double>(random()) / std::mt19937::max(); };
+    for (const double width : {1e-2, 1e-4, 1e-6})
+        for (int round = 0; round < 2000; ++round) {
+            const Eigen::Quaterniond turn(1, any(1), any(1), any(1));
+            const Eigen::Matrix3d axes = turn.normalized().toRotationMatrix();
+            const Vector3d a = random_point(random, 3);
+            const Triangle t{a, a + axes.col(0) + any(width) * axes.col(1),
+                             a + any(1) * axes.col(0) + (1.5 + any(1)) * width * axes.col(1)};
+            const Vector3d normal = unit_normal(t[0], t[1], t[2]);
+            const double i = any(1), j = any(1), height = any(10 * width);
+            const Vector3d inside = sum(t, Vector3d(1 - std::max(i, j), std::abs(i - j), std::min(i, j)));
+            const Vector3d edge = t[0] + i * (t[1] - t[0]);
+            const Vector3d out = (t[1] - t[0]).cross(normal).normalized();
+            const std::array<int, 3> ids{0, 1, 2};
+            const double most = 2e-15 / width;
+            EXPECT_LT((closest(inside + height * normal, t, ids).point - inside).norm(), most) << width;
+            EXPECT_LT((closest(edge + height * out, t, ids).point - edge).norm(), 1e-14) << width;
+            // From the other corners it is the same place.
+            const Closest turned = closest(inside + height * normal, {t[1], t[2], t[0]}, {1, 2, 0});
+            EXPECT_LT((turned.point - inside).norm(), most) << width;
+            EXPECT_NEAR(turned.weights.sum(), 1, 1e-15);
+            EXPECT_GE(turned.weights.minCoeff(), 0);
+        }
 }
 
 TEST(Triangle, WithoutAreaItIsItsEdges) {
