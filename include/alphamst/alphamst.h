@@ -241,7 +241,7 @@ enum amst_result {
     AMST_RESULT_SINGULAR_BEFORE = 4, /* interior vertices of valence != 4 */
     AMST_RESULT_SINGULAR_AFTER = 5,
     AMST_RESULT_SINGULAR_BOUND = 6,    /* least number that any filling of the boundary has */
-    AMST_RESULT_CANDIDATE = 7,         /* 0: filling as predicted; n: geometry forced the n-th later one */
+    AMST_RESULT_CANDIDATE = 7,         /* 0: the filling that promised most; n: geometry forced the n-th later */
     AMST_RESULT_UNUSED_OPTION = 8,     /* AMST_ALL: key of the first option set in vain, -1: none */
     AMST_RESULT_ALPHA = 1000,          /* after / before */
     AMST_RESULT_QUALITY_BEFORE = 1001, /* smallest scaled Jacobian */
@@ -577,8 +577,9 @@ AMST_API amst_status amst_patches_check(const amst_patches *patches, amst_id pat
  * leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_patches_write(const amst_patches *patches, const char *path);
 /* What amst_adapt would deliver for that patch and alpha, without doing it: the
- * exact number of faces and of interior singularities. Either output may be NULL.
- * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, PATCH, NO_FILLING. */
+ * exact number of faces and of singularities. Takes as long as doing it, since the best
+ * filling is told by its sizes and shapes. Either output may be NULL.
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, PATCH, NO_FILLING, GEOMETRY. */
 AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, double alpha,
                                           const amst_options *options, int64_t *faces,
                                           int64_t *singularities);
@@ -591,8 +592,14 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * Errors: ARGUMENT (patches of another mesh), STALE, STATE, CANCELLED. */
 
 /* Replace each patch by its alpha template: round(alpha * faces) faces, few singular vertices, the border
- * as it is. alpha > 0 is for the patches that have none of their own. At alpha 1 a patch for which nothing
- * better is found stays as it is.
+ * as it is. alpha > 0 is for the patches that have none of their own.
+ * Sizes: at the border, whose edges stay, faces are wanted as large as they were; inside they are wanted smaller
+ * or larger by one factor, so that the count is reached, with a smooth transition over half the depth of the
+ * patch. Of fillings with few singular vertices the one is taken that has these sizes best and good angles; none
+ * with a face below an eighth of what is wanted, unless there was one.
+ * At alpha 1 a patch keeps its sizes; its singular vertices do not become more and its smallest scaled Jacobian
+ * does not fall. Where nothing is gained it stays bit for bit, as a whole mesh does: a second equal call changes
+ * nothing. (A whole mesh with ALIGN or a field "size" may move on.)
  * patches NULL: the whole mesh, by windows: disks that the library chooses, grows and moves over it. It gets
  * round(alpha * faces) faces, or the result is AMST_PARTIAL, and as few singular vertices as can be; its
  * boundary stays. Same mesh, options and seed, same result, on any number of threads.
@@ -613,20 +620,20 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   CHART           -            A R             -             A R C
  *   ALIGN           -            A R             -             A R
  *   field "cross"   -            A R             -             A R           with ALIGN only
- *   field "size"    -            A R             A R           A R
+ *   field "size"    A R          A R             A R           A R
  *   STRATEGY        -            -               A             A
  *   EDIT_BOUNDARY   -            -               A             A             in a plane: with STRATEGY 1 only
  *
  * Patches on a plane: all are plane, and the mesh has no surface yet. A plane patch on a curved mesh needs no
- * CHART, and "size" does not count in it.
+ * CHART.
  *  CHART     The map that lays what is curved in the plane to be filled: 0 projects what turns little, else
  *            puts each vertex on a disk amid its neighbours (Tutte); 1 the same by mean value coordinates;
  *            2 keeps angles and lets the border go where it wants; 3 stretches less on the disk. A map that
  *            folds is not used: 2 and 3 give way to 1, and that to Tutte's, which never does.
  *  ALIGN     Of fillings with the same numbers the one along "cross" is taken or, without that field, along
  *            what amst_mesh_compute_cross_field would give. Edges of a whole mesh turn to it at last.
- *  "size"    The wanted edge length says where the faces go. Without it those of a patch are even, and those
- *            of a whole mesh go where they were or, if it is curved, where it bends more.
+ *  "size"    The wanted edge length says where the faces go. Without it those of a patch and of a whole mesh
+ *            in a plane go where they were, and those of a curved whole mesh where it bends more.
  *  STRATEGY  1: whole chords are removed, the shortest first, or split until no other one can go without
  *            passing the number of faces. No vertex becomes singular. Of the other options only SMOOTH_STEPS
  *            and EDIT_BOUNDARY count.

@@ -37,9 +37,7 @@ std::vector<Outcome> reduce_singularities(mesh::QuadMesh &mesh, std::vector<Patc
 Prediction predict(const mesh::QuadMesh &mesh, const Patch &patch, double alpha, const Settings &settings) {
     const refill::Goal goal = goal_of(patch, alpha);
     const std::vector<Patch> patches{patch};
-    if (!goal.keep_quality)
-        return refill::first_choice(mesh, patch, goal, settings, reference::reference_of(mesh, patches));
-    // Which one is better than the present filling only its shape can tell.
+    // Which filling is the best only the sizes and shapes of some can tell.
     mesh::QuadMesh copy = mesh; // it may get a surface to keep to
     PatchReference judged(copy, patches, settings, [&](const Patch &) { return goal; });
     refill::Proposal proposal;

@@ -83,8 +83,10 @@ std::int64_t faces_wanted(const mesh::QuadMesh &mesh, const std::vector<Patch> &
 PatchReference::PatchReference(mesh::QuadMesh &mesh, const std::vector<Patch> &patches,
                                const Settings &settings, const GoalOf &goal)
     : reference(reference::reference_of(mesh, patches)) {
-    if (!reference.surface)
+    if (!reference.surface) {
+        want_sizes(mesh, faces_wanted(mesh, patches, goal));
         return;
+    }
     mesh.surface = reference.surface;
     reference = reference::reference_of(mesh);
     if (!reference.surface)
@@ -94,10 +96,16 @@ PatchReference::PatchReference(mesh::QuadMesh &mesh, const std::vector<Patch> &p
     reference.surface_distance =
         reference::surface_distance_of(mesh, *reference.surface, wanted, settings.tolerance);
     tolerance_ = reference.surface_distance->tolerance();
-    if (mesh.field(Entity::vertex, "size") != nullptr)
-        sizing_ = reference::SizingField::of(mesh, reference, wanted);
+    want_sizes(mesh, wanted);
     if (settings.align)
         reference.cross_field = &cross_field_.emplace(mesh);
+}
+
+void PatchReference::want_sizes(const mesh::QuadMesh &mesh, std::int64_t wanted) {
+    if (mesh.field(Entity::vertex, "size") == nullptr)
+        return;
+    sizing_ = reference::SizingField::of(mesh, reference, wanted);
+    reference.sizes = &*sizing_;
 }
 
 void PatchReference::loosen(double times) {

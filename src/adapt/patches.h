@@ -25,6 +25,8 @@ struct PatchReference {
     reference::Reference reference;
 
 private:
+    void want_sizes(const mesh::QuadMesh &mesh, std::int64_t wanted);
+
     std::optional<reference::CrossField> cross_field_;
     std::optional<reference::SizingField> sizing_;
     double tolerance_ = 0;

@@ -35,14 +35,38 @@ public:
 
     Outcome run() {
         const auto start = std::chrono::steady_clock::now();
+        reference::straighten(mesh_);
+        std::optional<mesh::QuadMesh> before;
+        if (may_stay())
+            before = mesh_;
         Outcome outcome = mesh_.n_faces() == 0 ? begin_ : search();
+        if (before && !gained(outcome)) {
+            mesh_ = std::move(*before);
+            outcome = begin_;
+            outcome.singular_after = begin_.singular_before;
+            outcome.valences_after = begin_.valences_before;
+            outcome.quality_after = begin_.quality_before;
+        }
         outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return outcome;
     }
 
 private:
+    // The mesh has its count, and nothing is said of sizes and directions that it may not have.
+    bool may_stay() const {
+        return begin_.faces_wanted == begin_.faces_before && !settings_.align &&
+               mesh_.field(Entity::vertex, "size") == nullptr;
+    }
+
+    // Else it stays bit for bit: who calls again gets what is there.
+    bool gained(const Outcome &of) const {
+        constexpr double least_gain =
+            0.1; // of the smallest scaled Jacobian: less is what smoothing adds each time
+        return missing(of) == 0 && (of.singular_after < begin_.singular_before ||
+                                    of.quality_after >= begin_.quality_before + least_gain);
+    }
+
     Outcome search() {
-        reference::straighten(mesh_);
         reference::count(mesh_, begin_.valences_before, begin_.singular_before);
         begin_.quality_before = reference::least_quality(mesh_);
         reference::reference_of(mesh_); // which gives a curved mesh its surface

@@ -22,6 +22,9 @@ using Points = std::vector<Eigen::Vector2d>;
 // vertex the mean of its neighbours. Every face of a 3-connected filling is convex.
 Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const double> lengths);
 
+// The same with the loop where it is: faces may be inverted.
+Points embed_in_loop(Quads quads, int vertices, std::span<const Eigen::Vector2d> loop);
+
 struct Embedding : Judgement {
     Points positions; // all vertices; the first `boundary` equal the loop
     int stuck = -1;   // where it is not valid: the quad that resisted most, if few did
@@ -35,6 +38,7 @@ struct EmbedOptions {
     int untangle_sweeps = 200;         // give up afterwards
     bool patient = true;               // false: untangle only what comes right soon
     double least_area = 0.005;         // of a corner, over the wanted one, that the smallest angles may cost
+    double size_weight = 1.0 / 128;    // improve in the plane: of areas against shapes
     std::span<const double> area = {}; // improve: [quad] wanted; empty: all equal
     // improve on a surface: [vertex] where those that are on a feature line may go; empty: there are none.
     std::span<const FeatureLine> feature_lines = {};

@@ -45,8 +45,9 @@ Worst worst_of(const Problem &problem, std::size_t q, const Points &points, bool
 // Vertices that still move, moved one by one.
 class BarrierSweep {
 public:
-    BarrierSweep(const Problem &problem, Points &points, Floor floor)
-        : problem_(problem), points_(points), floor_(floor), awake_(points.size()) {
+    BarrierSweep(const Problem &problem, Points &points, double size_weight, Floor floor)
+        : problem_(problem), points_(points), size_weight_(size_weight), floor_(floor),
+          awake_(points.size()) {
         std::transform(problem.fixed.begin(), problem.fixed.end(), awake_.begin(),
                        [](char fixed) { return static_cast<char>(!fixed); });
     }
@@ -76,7 +77,7 @@ public:
         if (!awake_[v] || problem_.fixed[v] || star.empty())
             return false;
         awake_[v] = 0;
-        const Barrier barrier{.area = problem_.area};
+        const Barrier barrier{.theta = size_weight_, .area = problem_.area};
         double distance = 0;
         if (tight_[v]) {
             Barrier softened = barrier;
@@ -102,6 +103,7 @@ private:
 
     const Problem &problem_;
     Points &points_;
+    const double size_weight_;
     const Floor floor_;
     double soft_ = 0;
     std::vector<char> awake_, tight_;      // [vertex]
@@ -109,7 +111,7 @@ private:
 };
 
 void sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
-    BarrierSweep barrier(problem, points, floor);
+    BarrierSweep barrier(problem, points, options.size_weight, floor);
     std::vector<std::vector<int>> classes;
     if (options.run)
         classes = colour(problem);
@@ -147,9 +149,7 @@ void open_squeezed(const Problem &problem, Points &points, Floor floor) {
 
 } // namespace
 
-void optimise(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
-    sweep_barrier(problem, points, options, floor);
-    open_squeezed(problem, points, floor);
+void sharpen_corners(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
     sharpen_worst(
         problem, options.steps,
         [&](std::size_t q) { return worst_of(problem, q, points, true).scaled_jacobian; },
@@ -158,6 +158,12 @@ void optimise(const Problem &problem, Points &points, const EmbedOptions &option
                 sharpen(star, points, v, std::max(floor, least),
                         options.least_area * problem.area[static_cast<std::size_t>(star[0].quad)]);
         });
+}
+
+void optimise(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
+    sweep_barrier(problem, points, options, floor);
+    open_squeezed(problem, points, floor);
+    sharpen_corners(problem, points, options, floor);
 }
 
 Embedding improve(Quads quads, std::span<const char> fixed, Points positions, const EmbedOptions &options) {

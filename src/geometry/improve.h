@@ -10,4 +10,7 @@ namespace alphamst::geometry {
 // positive stay.
 void optimise(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor);
 
+// The last step of it alone.
+void sharpen_corners(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor);
+
 } // namespace alphamst::geometry

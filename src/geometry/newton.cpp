@@ -70,39 +70,65 @@ private:
 
     void assemble(const Barrier &barrier, const Points &points) {
         gradient_.setZero();
-        triplets_.clear();
+        if (slots_.empty())
+            lay_out_hessian();
+        double *const values = hessian_.valuePtr();
+        std::fill_n(values, hessian_.nonZeros(), 0.0);
+        const int *slot = slots_.data();
         for (const int q : region_.quads)
             for (std::size_t k = 0; k < 4; ++k)
-                scatter(expand_corner(barrier, corner_edges(quad(q), k, points), area(q)), quad(q), k);
+                slot = scatter(expand_corner(barrier, corner_edges(quad(q), k, points), area(q)), quad(q), k,
+                               slot);
         // A trace of the identity keeps nearly flat directions bounded.
-        double trace = 0;
-        for (const auto &t : triplets_)
-            trace += t.row() == t.col() ? t.value() : 0;
-        const double shift = 1e-8 * trace / static_cast<double>(gradient_.size());
-        for (int i = 0; i < gradient_.size(); ++i)
-            triplets_.emplace_back(i, i, shift);
-        hessian_.resize(gradient_.size(), gradient_.size());
-        hessian_.setFromTriplets(triplets_.begin(), triplets_.end());
+        const double shift = 1e-8 * hessian_.diagonal().sum() / static_cast<double>(gradient_.size());
+        hessian_.diagonal().array() += shift;
     }
 
-    // Edges are next - corner and previous - corner: the corner takes minus both.
-    void scatter(const CornerExpansion &e, const std::array<int, 4> &quad, std::size_t k) {
+    // Visits the entries of one corner in the lower triangle, in the order of scatter.
+    template <class Visit>
+    void visit(const std::array<int, 4> &quad, std::size_t k, const Visit &visit) const {
+        const std::array<std::size_t, 3> corner{k, (k + 1) % 4, (k + 3) % 4};
+        for (Eigen::Index i = 0; i < 6; ++i)
+            if (const int row = unknown(quad, corner[static_cast<std::size_t>(i) / 2], i % 2); row >= 0)
+                for (Eigen::Index j = 0; j < 6; ++j)
+                    if (const int column = unknown(quad, corner[static_cast<std::size_t>(j) / 2], j % 2);
+                        column >= 0 && column <= row)
+                        visit(row, column, i, j);
+    }
+
+    // The pattern, and where in it each entry of each corner goes.
+    void lay_out_hessian() {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (const int q : region_.quads)
+            for (std::size_t k = 0; k < 4; ++k)
+                visit(quad(q), k, [&](int row, int column, Eigen::Index, Eigen::Index) {
+                    entries.emplace_back(row, column, 1.0);
+                });
+        hessian_.resize(gradient_.size(), gradient_.size());
+        hessian_.setFromTriplets(entries.begin(), entries.end());
+        for (const auto &entry : entries) {
+            const int *const rows = hessian_.innerIndexPtr();
+            const int *const first = rows + hessian_.outerIndexPtr()[entry.col()];
+            const int *const last = rows + hessian_.outerIndexPtr()[entry.col() + 1];
+            slots_.push_back(static_cast<int>(std::lower_bound(first, last, entry.row()) - rows));
+        }
+    }
+
+    // Edges are next - corner and previous - corner: the corner takes minus both. Returns the next slot.
+    const int *scatter(const CornerExpansion &e, const std::array<int, 4> &quad, std::size_t k,
+                       const int *slot) {
         Eigen::Matrix<double, 4, 6> edges_of_points;
         const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(), zero = Eigen::Matrix2d::Zero();
         edges_of_points << -one, one, zero, -one, zero, one;
         const Eigen::Matrix<double, 6, 1> g = edges_of_points.transpose() * e.gradient;
         const Eigen::Matrix<double, 6, 6> h = edges_of_points.transpose() * e.hessian * edges_of_points;
         const std::array<std::size_t, 3> corner{k, (k + 1) % 4, (k + 3) % 4};
-        for (Eigen::Index i = 0; i < 6; ++i) {
-            const int row = unknown(quad, corner[static_cast<std::size_t>(i) / 2], i % 2);
-            if (row < 0)
-                continue;
-            gradient_[row] += g[i];
-            for (Eigen::Index j = 0; j < 6; ++j)
-                if (const int column = unknown(quad, corner[static_cast<std::size_t>(j) / 2], j % 2);
-                    column >= 0 && column <= row)
-                    triplets_.emplace_back(row, column, h(i, j));
-        }
+        for (Eigen::Index i = 0; i < 6; ++i)
+            if (const int row = unknown(quad, corner[static_cast<std::size_t>(i) / 2], i % 2); row >= 0)
+                gradient_[row] += g[i];
+        visit(quad, k,
+              [&](int, int, Eigen::Index i, Eigen::Index j) { hessian_.valuePtr()[*slot++] += h(i, j); });
+        return slot;
     }
 
     int unknown(const std::array<int, 4> &quad, std::size_t corner, Eigen::Index axis) const {
@@ -114,7 +140,7 @@ private:
     const FreeRegion &region_;
     std::vector<int> index_; // first unknown by vertex, -1 if it stays
     Eigen::VectorXd gradient_;
-    std::vector<Eigen::Triplet<double>> triplets_;
+    std::vector<int> slots_; // of the entries of each corner in the hessian
     Eigen::SparseMatrix<double> hessian_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
     bool analysed_ = false;
@@ -189,6 +215,25 @@ bool newton(const Problem &problem, const FreeRegion &region, Points &points, in
         barrier.epsilon = std::max(worst < mu ? 2 * std::sqrt(mu * (mu - worst)) : 0.0, least_epsilon);
     }
     return worst > margin;
+}
+
+void minimise(const Problem &problem, const FreeRegion &region, Points &points, const Descent &descent) {
+    // Of the energy: the steps after one that gains less were seen to change no size or shape that counts.
+    constexpr double least_gain = 0.02;
+    if (region.vertices.empty())
+        return;
+    RegionNewton solver(problem, region);
+    const Barrier barrier{.theta = descent.theta, .area = problem.area};
+    for (int round = 0; round < descent.rounds; ++round) {
+        descent.renew(points);
+        double before = solver.energy(barrier, points);
+        for (int left = descent.steps; left > 0 && solver.step(barrier, points); --left) {
+            const double now = solver.energy(barrier, points);
+            if (now > (1 - least_gain) * before)
+                break;
+            before = now;
+        }
+    }
 }
 
 } // namespace alphamst::geometry

@@ -2,6 +2,7 @@
 // single vertex can mend.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "geometry/barrier.h"
@@ -27,5 +28,15 @@ double worst_determinant(const Problem &problem, std::span<const int> quads, con
 // fallen far below the determinant of a corner that stays negative. `iterations` is the most
 // it may make and is lowered by those made.
 bool newton(const Problem &problem, const FreeRegion &region, Points &points, int &iterations, double margin);
+
+// Minimises the barrier with epsilon = 0 over a region without a corner that is not positive; none becomes
+// one. Some rounds of `steps` steps, fewer where one gains little, and before each renew(points), which may
+// change the wanted areas.
+struct Descent {
+    double theta;
+    int rounds, steps;
+    std::function<void(const Points &)> renew;
+};
+void minimise(const Problem &problem, const FreeRegion &region, Points &points, const Descent &descent);
 
 } // namespace alphamst::geometry

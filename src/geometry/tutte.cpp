@@ -67,14 +67,19 @@ Points loop_on_circle(std::span<const double> lengths) {
     return circle;
 }
 
-Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const double> lengths) {
+Points embed_in_loop(Quads quads, int vertices, std::span<const Eigen::Vector2d> loop) {
     const Stars stars(quads, vertices);
     std::vector<char> fixed(static_cast<std::size_t>(vertices), 0);
-    std::fill_n(fixed.begin(), boundary, char(1));
-    Points points = loop_on_circle(lengths);
+    std::fill_n(fixed.begin(), loop.size(), char(1));
+    Points points(loop.begin(), loop.end());
     points.resize(static_cast<std::size_t>(vertices), Eigen::Vector2d::Zero());
     Tutte(stars, fixed).solve(points);
     return points;
+}
+
+Points embed_on_circle(Quads quads, int boundary, int vertices, std::span<const double> lengths) {
+    const Points loop = loop_on_circle(lengths.first(static_cast<std::size_t>(boundary)));
+    return embed_in_loop(quads, vertices, loop);
 }
 
 } // namespace alphamst::geometry

@@ -16,6 +16,7 @@
 namespace alphamst::reference {
 
 class CrossField;
+class SizingField;
 
 struct Reference {
     std::optional<geometry::Plane> plane;
@@ -23,6 +24,7 @@ struct Reference {
     std::shared_ptr<const surface::Surface> surface;
     std::vector<int> surface_triangles;
     const CrossField *cross_field = nullptr; // to which edges shall turn, if there are any
+    const SizingField *sizes = nullptr;      // of the caller, for patches
     // Patches that are flat lie in their plane, though the mesh keeps to a surface.
     bool planes_first = false;
     std::optional<SurfaceDistance> surface_distance; // where the whole of it is to stay covered

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "index.h"
 #include "surface/curvature.h"
 
 namespace alphamst::reference {
@@ -13,15 +14,43 @@ namespace {
 // is flat.
 constexpr double flat = 0.1, sharp = 8;
 
+// At each vertex, the root of the area that faces have around it, smoothed over neighbours: one small face
+// among large ones is an accident and not wanted.
+std::vector<double> present_sizes(const mesh::QuadMesh &mesh) {
+    constexpr int smoothings = 6;
+    std::vector<double> area, sum(alphamst::at(mesh.n_vertices())), count(sum.size(), 0);
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        area.push_back(std::log(std::max(geometry::area_vector(quad_of(mesh, f)).norm(), 1e-300)));
+    for (const auto &q : mesh.faces())
+        for (const int v : q)
+            ++count[alphamst::at(v)];
+    for (int k = 0; k < smoothings; ++k) {
+        std::fill(sum.begin(), sum.end(), 0);
+        for (std::size_t f = 0; f < area.size(); ++f)
+            for (const int v : mesh.faces()[f])
+                sum[alphamst::at(v)] += area[f] / count[alphamst::at(v)];
+        for (std::size_t f = 0; f < area.size(); ++f) {
+            area[f] = 0;
+            for (const int v : mesh.faces()[f])
+                area[f] += sum[alphamst::at(v)] / 4;
+        }
+    }
+    for (double &s : sum)
+        s = std::exp(s / 2);
+    return sum;
+}
+
 } // namespace
 
 std::optional<SizingField> SizingField::of(const mesh::QuadMesh &mesh, Reference &reference,
                                            std::int64_t wanted) {
     if (mesh.n_faces() == 0)
         return std::nullopt;
-    if (mesh.field(Entity::vertex, "size") == nullptr)
-        return reference.surface ? std::optional(SizingField(reference, wanted)) : std::nullopt;
-    SizingField field(mesh);
+    const std::vector<double> *wished = mesh.field(Entity::vertex, "size");
+    if (wished == nullptr)
+        return reference.surface ? SizingField(reference, wanted)
+                                 : SizingField(mesh, present_sizes(mesh), false);
+    SizingField field(mesh, *wished, true);
     return reference.surface ? SizingField(reference, field) : std::move(field);
 }
 
@@ -51,8 +80,8 @@ SizingField::SizingField(Reference &reference, const SizingField &field) : refer
                                              3));
 }
 
-SizingField::SizingField(const mesh::QuadMesh &mesh)
-    : mesh_(std::make_unique<const mesh::QuadMesh>(mesh)), size_(*mesh.field(Entity::vertex, "size")) {
+SizingField::SizingField(const mesh::QuadMesh &mesh, std::vector<double> sizes, bool wished)
+    : mesh_(std::make_unique<const mesh::QuadMesh>(mesh)), size_(std::move(sizes)), wished_(wished) {
     std::vector<int> all(static_cast<std::size_t>(mesh.n_faces()));
     std::iota(all.begin(), all.end(), 0);
     faces_ = std::make_unique<const FaceTree>(*mesh_, std::move(all));

@@ -28,7 +28,7 @@ public:
     std::vector<double> weights(const mesh::QuadMesh &mesh, std::span<const int> faces) const;
 
 private:
-    explicit SizingField(const mesh::QuadMesh &mesh);
+    SizingField(const mesh::QuadMesh &mesh, std::vector<double> sizes, bool wished);
     SizingField(Reference &reference, const SizingField &field);
     SizingField(Reference &reference, std::int64_t wanted);
 

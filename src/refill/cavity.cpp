@@ -46,8 +46,10 @@ Cavity::Cavity(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal,
     read_old_filling();
     flatten();
     old_quality = old_shape.min_scaled_jacobian;
-    if (goal.keep_quality && patch.corners.empty())
-        keep_angles();
+    if (goal.sizes && patch.corners.empty())
+        keep_angles(goal.keep_quality ? std::min(0.95, old_quality + 0.01) : std::min(0.3, old_quality));
+    if (goal.sizes)
+        want_sizes();
 }
 
 bool Cavity::fits(const fill::Filling &filling) const {
@@ -77,66 +79,6 @@ std::map<int, std::int64_t> Cavity::valences(const fill::Filling &filling) const
         ++count[faces[v] + (v < window.loop.size() ? window.outside[v] : 0)];
     }
     return count;
-}
-
-geometry::Embedding Cavity::embed_flat(const PlacedFilling &shape) const {
-    const geometry::EmbedOptions options = smooth::shaping(settings_);
-    const fill::Filling &filling = shape.filling;
-    if (!shape.positions.empty()) {
-        std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
-        std::fill_n(fixed.begin(), window.loop.size(), 1);
-        geometry::Embedding kept = geometry::improve(filling.quads, fixed, shape.positions, options);
-        if (kept.valid)
-            return kept;
-    }
-    const std::span<const Eigen::Vector2d> loop(old_positions_.data(), window.loop.size());
-    return geometry::embed(filling.quads, filling.boundary, filling.vertices, loop, options);
-}
-
-CavityEmbedding Cavity::start(const PlacedFilling &shape) const {
-    const fill::Filling &filling = shape.filling;
-    CavityEmbedding laid;
-    geometry::Points positions = shape.positions;
-    if (positions.empty()) {
-        geometry::Embedding embedding = chart_->place(filling, smooth::shaping(settings_));
-        laid.stuck = embedding.stuck;
-        if (!embedding.valid)
-            return laid;
-        positions = std::move(embedding.positions);
-    }
-    for (int v = 0; v < filling.vertices; ++v) {
-        const auto i = static_cast<std::size_t>(v);
-        if (v < filling.boundary)
-            laid.on_surface.add({old_on_surface_.surface_triangles[i], old_on_surface_.points[i],
-                                 old_on_surface_.normals[i], 0});
-        else
-            laid.on_surface.add(chart_->lift(surface(), positions[i]));
-    }
-    return laid;
-}
-
-CavityEmbedding Cavity::smooth(const fill::Filling &filling, CavityEmbedding laid) const {
-    if (laid.on_surface.points.empty())
-        return laid;
-    geometry::EmbedOptions options = smooth::shaping(settings_);
-    std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
-    std::fill_n(fixed.begin(), filling.boundary, char(1));
-    const std::vector<double> areas = reference_.areas(filling.quads, laid.on_surface);
-    options.area = areas;
-    static_cast<geometry::Judgement &>(laid) =
-        geometry::improve(surface(), filling.quads, fixed, laid.on_surface, options);
-    return laid;
-}
-
-CavityEmbedding Cavity::embed(const PlacedFilling &shape) const {
-    if (curved())
-        return smooth(shape.filling, start(shape));
-    geometry::Embedding embedding = embed_flat(shape);
-    CavityEmbedding laid;
-    static_cast<geometry::Judgement &>(laid) = embedding;
-    laid.flat = std::move(embedding.positions);
-    laid.stuck = embedding.stuck;
-    return laid;
 }
 
 std::vector<OpenMesh::Vec3d> Cavity::lift(const CavityEmbedding &laid) const {
@@ -185,8 +127,8 @@ void Cavity::use_corners(const std::vector<int> &corners) {
     regular_ = window.wanted; // a filling that keeps the corners is what counts as regular
 }
 
-void Cavity::keep_angles() {
-    least_sine_ = std::min(0.95, old_quality + 0.01);
+void Cavity::keep_angles(double least_sine) {
+    least_sine_ = least_sine;
     for (std::size_t i = 0; i < window.angles.size(); ++i) {
         auto sine = [&](int letter) {
             constexpr double degree = 3.14159265358979323846 / 180;

@@ -17,6 +17,7 @@
 #include "refill/chart.h"
 #include "refill/coarsen.h"
 #include "refill/goal.h"
+#include "refill/sizes.h"
 
 namespace alphamst::refill {
 
@@ -32,6 +33,10 @@ struct CavityEmbedding : geometry::Judgement {
     geometry::SurfacePositions on_surface; // on the surface
     int stuck = -1;                        // see geometry::Embedding
 };
+
+// Of sizes against shapes, in 0 .. 1: with less, sizes of four-fold refinements stay half as good; with more,
+// corners close.
+constexpr double usual_size_weight = 0.7;
 
 // Everything about the patch that its fillings are judged against.
 class Cavity {
@@ -65,11 +70,24 @@ public:
     // Singular vertices of the mesh in the patch with this filling.
     std::map<int, std::int64_t> valences(const fill::Filling &filling) const;
 
-    CavityEmbedding embed(const PlacedFilling &shape) const;
+    // No layout of the filling has a larger smallest scaled Jacobian: faces at a vertex of the border share
+    // its angle. Not positive where they cannot be convex.
+    double most_quality(const fill::Filling &filling) const;
+    // How far the filling would be from the sizes that are wanted, by the plain layout of Tutte: where that
+    // says less than .5 it is nearly right, and else in the right order. The goal asks for sizes.
+    double predicted_size_error(const PlacedFilling &shape) const;
+    // [quad] Of quads on the surface; they sum up to what is there. Empty: all equal.
+    std::vector<double> areas(const fill::Filling &filling,
+                              const geometry::SurfacePositions &on_surface) const;
+    SizeError size_error(const fill::Filling &filling, const CavityEmbedding &embedding) const;
+    SizeError old_size_error() const;
+    // Where the goal asks for sizes, these count so much against shapes, in 0 .. 1.
+    CavityEmbedding embed(const PlacedFilling &shape, double size_weight = usual_size_weight) const;
     // The same in two steps where the patch is curved: into the chart and from there to the surface; without
     // points if the chart does not take it. Then into shape.
-    CavityEmbedding start(const PlacedFilling &shape) const;
+    CavityEmbedding start(const PlacedFilling &shape, double size_weight = usual_size_weight) const;
     CavityEmbedding smooth(const fill::Filling &filling, CavityEmbedding placed) const;
+    bool sized() const { return sizes_.has_value(); }
     bool curved() const { return chart_.has_value(); }
     const reference::Reference &reference() const { return reference_; }
     const surface::Surface &surface() const { return *reference_.surface; }
@@ -114,13 +132,20 @@ private:
 
     // A vertex stays singular where the regular letter would split its angle worse than the
     // worst corner there is.
-    void keep_angles();
+    void keep_angles(double least_sine);
 
     void read_old_filling();
 
     void flatten();
 
-    geometry::Embedding embed_flat(const PlacedFilling &shape) const;
+    geometry::Embedding embed_flat(const PlacedFilling &shape, const geometry::EmbedOptions &options) const;
+    static CavityEmbedding flat_embedding(geometry::Embedding &&laid);
+    geometry::Embedding with_areas(const fill::Filling &filling, geometry::Points positions,
+                                   double weight) const;
+    void want_sizes();
+    std::vector<geometry::Quad> in_space(const fill::Filling &filling,
+                                         const geometry::Points &positions) const;
+    std::vector<double> wanted_areas(const fill::Filling &filling, const geometry::Points &positions) const;
 
     bool inside(int edge) const;
 
@@ -132,6 +157,7 @@ private:
     std::optional<Chart> chart_; // of a curved one
     geometry::SurfacePositions old_on_surface_;
     geometry::Points old_positions_; // loop, then interior, in the plane or the chart
+    std::optional<Sizes> sizes_;     // in the plane of a flat patch, in the space of a curved one
     double least_sine_ = 0;
     bool corners_given_ = false;
     std::unordered_map<int, int> local_; // vertex of the mesh -> of old

@@ -69,10 +69,10 @@ bool Evaluator::fits(const fill::Filling &filling) {
 }
 
 // Without points where the surface would be missed by far.
-CavityEmbedding Evaluator::embed(const PlacedFilling &candidate, Refused &reason) {
+CavityEmbedding Evaluator::embed(const PlacedFilling &candidate, double size_weight, Refused &reason) {
     if (!cavity_.curved())
-        return cavity_.embed(candidate);
-    CavityEmbedding start = cavity_.start(candidate);
+        return cavity_.embed(candidate, size_weight);
+    CavityEmbedding start = cavity_.start(candidate, size_weight);
     if (surface_distance_ && !start.on_surface.points.empty() &&
         !surface_distance_->covers(cavity_.window.faces, buffer_.quads(candidate.filling, start),
                                    hopeless_distance)) {
@@ -98,7 +98,7 @@ void Evaluator::fit(const fill::Filling &filling, CavityEmbedding &embedding) co
     std::vector<char> fixed(static_cast<std::size_t>(filling.vertices), 0);
     std::fill_n(fixed.begin(), filling.boundary, char(1));
     geometry::EmbedOptions options = smooth::shaping(settings_);
-    const std::vector<double> areas = cavity_.reference().areas(filling.quads, embedding.on_surface);
+    const std::vector<double> areas = cavity_.areas(filling, embedding.on_surface);
     options.area = areas;
     CavityEmbedding fitted = embedding;
     geometry::fit(cavity_.surface(), filling.quads, fixed, fitted.on_surface, options, samples);
@@ -142,11 +142,12 @@ bool Evaluator::stays_near(const fill::Filling &filling, const CavityEmbedding &
     return owners.has_value();
 }
 
-std::optional<Evaluation> Evaluator::evaluate(const PlacedFilling &candidate, const ShapeBounds &bounds) {
+std::optional<Evaluation> Evaluator::evaluate(const PlacedFilling &candidate, const ShapeBounds &bounds,
+                                              double size_weight) {
     const fill::Filling &filling = candidate.filling;
     ++trace_.candidates;
     Refused reason = Refused::embedding;
-    CavityEmbedding embedding = embed(candidate, reason);
+    CavityEmbedding embedding = embed(candidate, size_weight, reason);
     if (embedding.stuck >= 0)
         obstacles_.learn(filling, embedding.stuck);
     // In space the faces around may be what keeps a corner inverted.
@@ -178,6 +179,8 @@ std::optional<Evaluation> Evaluator::evaluate(const PlacedFilling &candidate, co
             cross_field->alignment_error(std::span(quads).first(filling.quads.size()));
     }
     cut(embedding, filling);
+    if (cavity_.sized())
+        evaluation.size_error = cavity_.size_error(filling, embedding);
     replacement.window = cavity_.window;
     replacement.filling = filling;
     replacement.points = cavity_.lift(embedding);

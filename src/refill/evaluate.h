@@ -16,10 +16,11 @@
 namespace alphamst::refill {
 
 // Why a candidate was not taken.
-enum class Refused { numbers, edge, obstacle, embedding, shape, feature, distance };
-constexpr std::array<const char *, 7> reason_names = {
-    "numbers",        "double edge", "known obstacle", "no embedding", "bad shape", "inverted across feature",
-    "off the surface"};
+enum class Refused { numbers, edge, obstacle, embedding, shape, feature, distance, size };
+constexpr std::array<const char *, 8> reason_names = {"numbers",         "double edge",
+                                                      "known obstacle",  "no embedding",
+                                                      "bad shape",       "inverted across feature",
+                                                      "off the surface", "too small faces"};
 
 // What became of the candidates of one cavity, for those who want to look inside.
 struct Trace {
@@ -49,7 +50,8 @@ struct Replacement {
 
 struct Evaluation {
     Replacement replacement;
-    ShapeBounds shape; // of the filling, with the buffer if that moves
+    ShapeBounds shape;    // of the filling, with the buffer if that moves
+    SizeError size_error; // where the goal asks for sizes
 };
 
 class Evaluator {
@@ -68,11 +70,13 @@ public:
     // Whether its numbers and edges would do; a look at the geometry is dear.
     bool fits(const fill::Filling &filling);
 
-    // Nothing if it does not reach the bounds, or spoils what must be kept.
-    std::optional<Evaluation> evaluate(const PlacedFilling &candidate, const ShapeBounds &bounds);
+    // Nothing if it does not reach the bounds, or spoils what must be kept. size_weight: of sizes against
+    // shapes, where the cavity asks for sizes.
+    std::optional<Evaluation> evaluate(const PlacedFilling &candidate, const ShapeBounds &bounds,
+                                       double size_weight = usual_size_weight);
 
 private:
-    CavityEmbedding embed(const PlacedFilling &candidate, Refused &reason);
+    CavityEmbedding embed(const PlacedFilling &candidate, double size_weight, Refused &reason);
     void fit(const fill::Filling &filling, CavityEmbedding &embedding) const;
     bool into_shape(const fill::Filling &filling, const ShapeBounds &bounds, CavityEmbedding &embedding,
                     Evaluation &evaluation);

@@ -10,6 +10,7 @@ struct Goal {
     std::int64_t faces = 0;    // wanted
     bool any_count = false;    // fewest singularities first, faces only as near as possible
     bool keep_quality = false; // prefer fillings whose smallest scaled Jacobian is not below the old one
+    bool sizes = false;        // faces get the areas that Sizes wants
     bool forbid_old = false;   // the old filling is no answer
     bool turn = false;         // towards the cross field of the reference
     bool collapse = false;     // quads of the old filling collapsed, nothing else

@@ -21,10 +21,6 @@ struct Proposal {
 Proposal propose(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal, const Settings &settings,
                  const reference::Reference &reference);
 
-// The numbers of the first filling that propose would try. Throws Failure where there is none.
-Prediction first_choice(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal,
-                        const Settings &settings, const reference::Reference &reference);
-
 // Puts it into the mesh; vertices that move with it, and what follows the mesh, are left to the caller.
 mesh::QuadMesh::Replaced commit(mesh::QuadMesh &mesh, const Replacement &replacement);
 

@@ -20,7 +20,7 @@ constexpr std::array<double, 10> alphas{0.4, 0.5, 0.6, 0.8, 1, 1.25, 1.5, 2, 3, 
 
 struct Tally {
     int runs = 0, refused = 0, done = 0, exact = 0, near = 0, later = 0;
-    int faces_as_predicted = 0, singularities_as_predicted = 0; // the latter where nothing came later
+    int faces_as_predicted = 0, singularities_as_predicted = 0;
     int quality_kept = 0, more_singular = 0;
     std::map<std::string, int> reasons; // of refusals, numbers left out
 
@@ -39,11 +39,9 @@ struct Tally {
         exact += miss == 0;
         near += miss > 0 && miss <= 2;
         faces_as_predicted += run.prediction && run.prediction->faces == outcome.faces_after;
-        if (outcome.candidate > 0)
-            ++later;
-        else
-            singularities_as_predicted +=
-                run.prediction && run.prediction->singularities == outcome.singular_after;
+        later += outcome.candidate > 0;
+        singularities_as_predicted +=
+            run.prediction && run.prediction->singularities == outcome.singular_after;
         quality_kept += outcome.quality_after >= outcome.quality_before - 1e-12;
         more_singular += outcome.singular_after > outcome.singular_before;
     }
@@ -103,8 +101,8 @@ TEST_P(AdaptCampaign, DeliversWhatIsWantedAndPredicted) {
     EXPECT_GE(found.exact, 0.95 * found.done) << found;
     EXPECT_EQ(found.exact + found.near, found.done) << found;
     EXPECT_EQ(found.faces_as_predicted, found.done) << found;
-    EXPECT_LE(found.later, 0.05 * found.done) << found;
-    EXPECT_EQ(found.singularities_as_predicted + found.later, found.done) << found;
+    EXPECT_LE(found.later, 0.25 * found.done) << found; // the order of promise says something
+    EXPECT_EQ(found.singularities_as_predicted, found.done) << found;
 }
 
 TEST_P(AdaptCampaign, KeepsQualityWhereTheCountStays) {

@@ -172,6 +172,25 @@ struct Cap {
         patches_of({patch::ball(mesh, {0, 0, 1}, 0.9, std::vector<char>(at(mesh.n_faces()), 0))});
 };
 
+TEST(Patches, HaveTheSizesOfAField) {
+    mesh::QuadMesh mesh = samples::grid(20, 20);
+    mesh::Field field{Entity::vertex, "size", 1, mesh::Carry::linear, {}};
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        field.values.push_back(mesh.point(v)[0] < 10 ? 0.5 : 1);
+    mesh.fields.set(std::make_shared<const mesh::Field>(std::move(field)));
+    std::vector<Patch> patches = patches_of({block(20, 2, 2, 18, 18)});
+    ASSERT_FALSE(refill(mesh, patches, 1.8).at(0).fault);
+    double area[2] = {0, 0}, faces[2] = {0, 0};
+    for (const int f : patches[0].faces) {
+        const double x = samples::centre(mesh, f)[0];
+        if (std::abs(x - 10) < 2 || std::abs(x - 10) > 6)
+            continue; // amid the halves
+        area[x > 10] += geometry::area_vector(reference::quad_of(mesh, f)).norm();
+        ++faces[x > 10];
+    }
+    EXPECT_LT(area[0] / faces[0], 0.6 * area[1] / faces[1]);
+}
+
 TEST(Patches, KeepToASurfaceWhereTheyAreCurved) {
     Cap cap;
     PatchReference judged(cap.mesh, cap.patches, {}, times(0.8));

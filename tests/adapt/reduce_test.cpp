@@ -84,7 +84,10 @@ TEST(Reduce, NeverAdds) {
         EXPECT_LE(outcome.singular_after, outcome.singular_before);
         EXPECT_GE(outcome.singular_after, outcome.singular_bound);
         EXPECT_EQ(outcome.singular_after, singular_in(after, faces));
-        expect_outside_kept(mesh, after, {patch});
+        if (after.checksum() == mesh.checksum()) // nothing could be gained
+            EXPECT_EQ(outcome.singular_after, outcome.singular_before);
+        else
+            expect_outside_kept(mesh, after, {patch});
         const Outcome again = reduce(after, faces);
         EXPECT_LE(again.singular_after, outcome.singular_after);
     }

@@ -28,10 +28,10 @@ static void counts_are_exact_and_the_outside_is_untouched(void **state) {
         assert_int_equal(result(report, 0, AMST_RESULT_FACES_BEFORE), 36);
         assert_int_equal(result(report, 0, AMST_RESULT_FACES_WANTED), wanted);
         assert_int_equal(result(report, 0, AMST_RESULT_FACES_AFTER), wanted);
-        assert_outside_same(&before, mesh, report, 36);
+        /* At alpha = 1 a regular grid has nothing to gain and comes back as it was. */
+        assert_outside_same(&before, mesh, report, alphas[k] == 1 ? 0 : 36);
         assert_true(worst_scaled_jacobian(mesh) > 0);
-        if (result(report, 0, AMST_RESULT_CANDIDATE) == 0)
-            assert_int_equal(n_singular(mesh), predicted_singular);
+        assert_int_equal(n_singular(mesh), predicted_singular);
         free_snapshot(&before);
         amst_report_destroy(report);
         amst_patches_destroy(set);

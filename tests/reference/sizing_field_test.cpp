@@ -105,7 +105,10 @@ TEST(SizingField, InAPlaneIsOfTheSizesOfTheMeshAsItWas) {
     for (const int dim : {2, 3}) {
         mesh::QuadMesh mesh = adapt::samples::grid(8, 6, dim);
         Reference reference = reference_of(mesh);
-        EXPECT_FALSE(SizingField::of(mesh, reference, 48)); // nothing is wished
+        const auto present = SizingField::of(mesh, reference, 48); // nothing is wished: as it is
+        ASSERT_TRUE(present);
+        EXPECT_FALSE(present->wished());
+        EXPECT_NEAR(present->of_face(mesh, 14), 1, 1e-9);
         set_size(mesh, size);
         const auto density = SizingField::of(mesh, reference, 48);
         ASSERT_TRUE(density);

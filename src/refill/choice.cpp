@@ -1,0 +1,244 @@
+#include "refill/choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace alphamst::refill {
+namespace {
+
+// In singular vertices: what an error of sizes by a factor of 2 costs, rms over the patch, and what a
+// smallest scaled Jacobian costs that is lower by 1 than one that does. From trials on four meshes: at 5,
+// webs of long thin rings begin to win; at 8, there are a third more singular vertices and sizes are hardly
+// better.
+constexpr double price_of_size = 6, price_of_shape = 40;
+// Where singular vertices are to be saved and any count will do, sizes and shapes cost so much of that.
+constexpr double saving = 0.4;
+// A smallest scaled Jacobian that does, or the old one where that is lower.
+constexpr double enough = 0.5;
+// Fillings with so many singular vertices more than the fewest compete: with 10, nothing was gained.
+constexpr int levels = 8;
+// No filling was seen to come nearer to its sizes, rms.
+constexpr double best_size_error = 0.25;
+// Faces laid out of one generator before a valid filling is no longer bettered: a second on a slow machine.
+constexpr std::int64_t most_effort = 3000;
+// Before a patch is left. Of large patches so many fillings are laid out all the same.
+constexpr std::int64_t most_hope = 10000;
+constexpr int least_layouts = 4;
+// What a new filling must be better by than one that can stay.
+constexpr double least_gain = 1;
+// Of sizes against shapes: the first, and those where it costs a corner.
+constexpr double size_weights[] = {usual_size_weight, 0.3, 0.1};
+// Where faces get too small.
+constexpr double heavy_size_weight = 0.95;
+// log2 of the smallest face over what is wanted, below which each halving costs so much.
+constexpr double small = -2, price_of_small = 8;
+// And below which a filling is refused, unless there is one like that already: no time step falls by more.
+constexpr double too_small = -3;
+// Fillings of a level that are compared: their order by stretch says something.
+constexpr int most_of_level = 5;
+// A smallest scaled Jacobian (Verdict's acceptable one) above which other generators are not asked.
+constexpr double comfortable = 0.3;
+// Nothing is asked of shapes and of the number of poor quads but the smallest scaled Jacobian.
+constexpr double any_shape = 0, any_number = 1e18;
+
+} // namespace
+
+std::int64_t singular_of(const std::map<int, std::int64_t> &valences) {
+    std::int64_t sum = 0;
+    for (const auto &[valence, count] : valences)
+        sum += valence != 4 ? count : 0;
+    return sum;
+}
+
+FillingChoice::FillingChoice(const Cavity &cavity, Evaluator &evaluator, Trace &trace, const Goal &goal,
+                             const Settings &settings)
+    : cavity_(cavity), evaluator_(evaluator), trace_(trace), goal_(goal), settings_(settings),
+      present_(cavity.present()), singular_before_(singular_of(cavity.valences(cavity.old))),
+      price_(goal.any_count ? saving : 1), best_score_(std::numeric_limits<double>::infinity()) {
+    const SizeError old = cavity.old_size_error();
+    old_least_ = old.least;
+    if (present_ && cavity.old_shape.valid)
+        best_score_ = score(singular_before_, old, evaluator.before().scaled_jacobian) - least_gain;
+}
+
+double FillingChoice::score(std::int64_t singular, const SizeError &sizes, double scaled_jacobian) const {
+    const double wanted = present_ ? enough : std::min(cavity_.old_quality, enough);
+    return static_cast<double>(singular) +
+           price_ * (price_of_size * sizes.rms + price_of_small * std::max(0.0, small - sizes.least) +
+                     price_of_shape * std::max(0.0, wanted - scaled_jacobian));
+}
+
+Chosen FillingChoice::run() {
+    for (const Cavity::Generator &generator : cavity_.generators()) {
+        next_.clear();
+        tried_ = 0;
+        if (best_.evaluation)
+            effort_ = 0;
+        std::vector<Ranked> pool;
+        for (bool more = true; more && tried_ < settings_.candidates && !over();) {
+            pool.clear();
+            more = collect(generator, pool);
+            lay_out(pool);
+        }
+        if (good())
+            break;
+    }
+    if (present_ && !good()) {
+        std::vector<Ranked> pool;
+        tried_ = 0;
+        add(present_->build(), pool);
+        lay_out(pool);
+    }
+    if (!best_.evaluation && !present_)
+        refuse();
+    return std::move(best_);
+}
+
+bool FillingChoice::over() const {
+    return good() || (layouts_ >= least_layouts && effort_ >= (best_.evaluation ? most_effort : most_hope));
+}
+
+bool FillingChoice::good() const {
+    return best_.evaluation &&
+           best_.evaluation->shape.scaled_jacobian >= std::min(cavity_.old_quality, comfortable);
+}
+
+void FillingChoice::refuse() const {
+    if (offered_ == 0) {
+        const auto loop = static_cast<std::int64_t>(cavity_.window.loop.size());
+        std::string text = "no filling with " + std::to_string(goal_.faces) + " faces was found";
+        text += goal_.faces < loop / 2 - 1 ? "; the boundary of " + std::to_string(loop) +
+                                                 " edges needs at least " + std::to_string(loop / 2 - 1)
+                                           : "; try another alpha or a rounder patch";
+        throw Refusal{Fault::no_filling, text};
+    }
+    const int far = trace_.of(Refused::distance), small_ones = trace_.of(Refused::size);
+    std::string text =
+        "none of " + std::to_string(trace_.candidates) + " fillings could be given a valid shape";
+    if (small_ones > 0)
+        text += "; " + std::to_string(small_ones) +
+                " of them would have faces of less than an eighth of the wanted area";
+    if (far > 0)
+        text +=
+            "; " + std::to_string(far) + " of them would be farther from the surface than AMST_OPT_TOLERANCE";
+    throw Refusal{Fault::geometry,
+                  text + "; try another alpha, a rounder patch or a larger number of candidates"};
+}
+
+// The fillings of some levels of singularities; false if there are no more.
+bool FillingChoice::collect(const Cavity::Generator &generator, std::vector<Ranked> &pool) {
+    const std::size_t most = 4 * static_cast<std::size_t>(settings_.candidates);
+    int fewest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    while (true) {
+        if (next_.empty())
+            next_ = generator();
+        if (next_.empty())
+            return false;
+        const int singularities = next_.front().singularities;
+        if (fewest < 0)
+            fewest = singularities;
+        // One with more must have better sizes to win, and some are as good as can be.
+        if (pool.size() >= most || singularities > fewest + (goal_.any_count ? 0 : levels) ||
+            singularities + price_ * price_of_size * best_size_error > least)
+            return true;
+        int of_level = 0;
+        for (const Cavity::Candidate &candidate : std::exchange(next_, {})) {
+            if (++of_level > most_of_level)
+                break;
+            if (faces_ < 0)
+                faces_ = candidate.faces;
+            if (candidate.faces != faces_ && !goal_.any_count)
+                continue; // the first count is kept, come what may
+            if (add(candidate.build(), pool))
+                least = std::min(least, pool.back().rank);
+        }
+    }
+}
+
+bool FillingChoice::add(PlacedFilling shape, std::vector<Ranked> &pool) {
+    Ranked ranked{std::move(shape)};
+    const fill::Filling &filling = ranked.shape.filling;
+    if (!cavity_.fits(filling))
+        return false;
+    ++offered_;
+    ranked.singular = singular_of(cavity_.valences(filling));
+    if (present_ && ranked.singular > singular_before_)
+        return false;
+    const double most_quality = cavity_.most_quality(filling);
+    if (most_quality < bounds().scaled_jacobian) {
+        ++trace_.candidates;
+        return trace_.refuse(Refused::shape);
+    }
+    ranked.miss = std::abs(static_cast<std::int64_t>(filling.quads.size()) - goal_.faces);
+    ranked.rank = score(ranked.singular, {cavity_.predicted_size_error(ranked.shape), 0}, most_quality);
+    pool.push_back(std::move(ranked));
+    return true;
+}
+
+// Where the old filling can stay, nothing may get worse; else the quality is larger than the least, by
+// whatever that is.
+ShapeBounds FillingChoice::bounds() const {
+    return {
+        std::max(goal_.keep_quality ? cavity_.old_quality : -1, std::nextafter(settings_.min_quality, 2.0)),
+        any_shape, any_number, 0};
+}
+
+// Lays the filling out and takes it if it is better than the best; where that costs a corner, sizes get
+// less weight. Whether its shapes are good.
+bool FillingChoice::judge(const Ranked &ranked, std::int64_t number) {
+    for (const double weight : size_weights) {
+        auto evaluation = evaluate(ranked, weight);
+        if (evaluation && weight == usual_size_weight && is_too_small(*evaluation))
+            evaluation = evaluate(ranked, heavy_size_weight);
+        if (!evaluation)
+            return false;
+        if (is_too_small(*evaluation)) {
+            trace_.refuse(Refused::size);
+            return false;
+        }
+        const double quality = evaluation->shape.scaled_jacobian;
+        const SizeError sizes = evaluation->size_error;
+        const double price = score(ranked.singular, sizes, quality);
+        if (price < best_score_) {
+            best_score_ = price;
+            best_ = {std::move(evaluation), cavity_.valences(ranked.shape.filling), number};
+        }
+        if (quality >= std::min(cavity_.old_quality, comfortable))
+            return true;
+        if (score(ranked.singular, sizes, enough) >= best_score_)
+            break; // nor would a better shape help
+    }
+    return false;
+}
+
+std::optional<Evaluation> FillingChoice::evaluate(const Ranked &ranked, double size_weight) {
+    ++layouts_;
+    effort_ += static_cast<std::int64_t>(ranked.shape.filling.quads.size());
+    return evaluator_.evaluate(ranked.shape, bounds(), size_weight);
+}
+
+bool FillingChoice::is_too_small(const Evaluation &evaluation) const {
+    return evaluation.size_error.least < std::min(too_small, old_least_);
+}
+
+void FillingChoice::lay_out(std::vector<Ranked> &pool) {
+    std::stable_sort(pool.begin(), pool.end(),
+                     [](const Ranked &a, const Ranked &b) { return a.rank < b.rank; });
+    std::int64_t number = 0;
+    for (const Ranked &ranked : pool) {
+        if (tried_ >= settings_.candidates || over())
+            return;
+        if (!evaluator_.fits(ranked.shape.filling))
+            continue;
+        ++tried_;
+        // The first that is well shaped does: laying out three gained nothing that could be measured.
+        if (judge(ranked, number++))
+            return;
+    }
+}
+
+} // namespace alphamst::refill

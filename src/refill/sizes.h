@@ -1,0 +1,50 @@
+// The area that a face is wanted to have at each place of a cavity, and how far faces are from it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "fill/filling.h"
+#include "geometry/quad.h"
+#include "reference/locate.h"
+
+namespace alphamst::refill {
+
+// Of log2(area / wanted area).
+struct SizeError {
+    double rms = 0, least = 0;
+};
+
+class Sizes {
+public:
+    // Wanted is the area that faces have now, smoothed over neighbours: at the border, whose
+    // edges stay, as it is, and far from it divided by one number, so that the faces come to `faces`. In
+    // between it changes smoothly, over half of the greatest distance that a face has from the border.
+    // positions: of the vertices of the filling that is there, in space.
+    Sizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions, double faces,
+          std::vector<double> areas = {});
+
+    double at(const Eigen::Vector3d &place) const { return std::exp(log_at(place)); }
+    SizeError error(std::span<const geometry::Quad> quads) const;
+
+private:
+    void make_lattice();
+    double log_at(const Eigen::Vector3d &place) const;
+    double computed(const Eigen::Vector3d &place) const; // not by the lattice
+    double distance(const Eigen::Vector3d &place) const; // to the border
+
+    std::vector<Eigen::Vector3d> loop_;
+    std::vector<double> log_areas_; // [face of the old filling]
+    reference::PointTree faces_;    // their centres
+    double depth_ = 0, log_factor_ = 0;
+    // In a plane: values at the points of a lattice over the cavity, between which they are interpolated, as
+    // they are asked for a hundred thousand times. [row][column], rows along the y-axis.
+    std::vector<double> lattice_;
+    Eigen::Vector3d origin_;
+    double spacing_ = 0;
+    int columns_ = 0, rows_ = 0;
+};
+
+} // namespace alphamst::refill
