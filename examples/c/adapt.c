@@ -46,6 +46,7 @@ typedef struct {
     int64_t patches, delivered, left; /* delivered: with exactly the wanted faces */
     int64_t faces_before, faces_wanted, faces_after, singular_before, singular_after;
     double worst_before, worst_after, seconds;
+    double size, step; /* of a row: rms of log2(area / wanted area), time step after over before */
 } totals;
 
 /* ------------------------------------------------------------------ errors */
@@ -244,14 +245,17 @@ static void add_patch(totals *sum, const amst_report *report, amst_id patch) {
 static void print_title(const char *title, const char *second) {
     printf("\n%s\n\n", title);
     printf("                      faces           singularities  scaled Jacobian\n");
-    printf("alpha  %-7s  before wanted delivered  before  after   before   after       ms  status\n", second);
+    printf("alpha  %-7s  before wanted delivered  before  after   before   after   size   step       ms  "
+           "status\n",
+           second);
 }
 
 static void print_row(double alpha, const char *second, const totals *row, const char *status) {
     printf("%5.1f  %-7s  %6" PRId64 " %6" PRId64 " %9" PRId64 "  %6" PRId64 " %6" PRId64
-           "   %6.3f  %6.3f  %7.1f  %s\n",
+           "   %6.3f  %6.3f  %5.2f  %5.2f  %7.1f  %s\n",
            alpha, second, row->faces_before, row->faces_wanted, row->faces_after, row->singular_before,
-           row->singular_after, row->worst_before, row->worst_after, 1e3 * row->seconds, status);
+           row->singular_after, row->worst_before, row->worst_after, row->size, row->step, 1e3 * row->seconds,
+           status);
 }
 
 static void print_totals(const totals *sum) {
@@ -275,8 +279,13 @@ static void add_totals(totals *sum, const totals *row) {
 }
 
 static totals no_rows(void) {
-    totals none = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0};
+    totals none = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 1};
     return none;
+}
+
+static void get_sizes(totals *row, const amst_report *report, amst_id patch) {
+    row->size = get_real(report, patch, AMST_RESULT_SIZE_ERROR_AFTER);
+    row->step = get_real(report, patch, AMST_RESULT_TIME_STEP);
 }
 
 static void print_patches(double alpha, const amst_report *report, int64_t n_patches, totals *sum) {
@@ -285,6 +294,7 @@ static void print_patches(double alpha, const amst_report *report, int64_t n_pat
         totals row = no_rows();
         snprintf(name, sizeof name, "%" PRId32, p);
         add_patch(&row, report, p);
+        get_sizes(&row, report, p);
         print_row(alpha, name, &row, amst_status_name((amst_status)get_int(report, p, AMST_RESULT_STATUS)));
         add_totals(sum, &row);
     }
@@ -295,6 +305,7 @@ static void print_all(double alpha, const amst_report *report, int64_t n_patches
     totals row = no_rows();
     for (amst_id p = 0; p < n_patches; ++p)
         add_patch(&row, report, p);
+    get_sizes(&row, report, AMST_ALL);
     /* Neighbours share singular vertices, so those of the patches do not add up. */
     row.singular_before = get_int(report, AMST_ALL, AMST_RESULT_SINGULAR_BEFORE);
     row.singular_after = get_int(report, AMST_ALL, AMST_RESULT_SINGULAR_AFTER);

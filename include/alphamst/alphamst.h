@@ -231,7 +231,15 @@ enum amst_option {
 
 /* Keys of amst_report_get_int (< 1000) and amst_report_get_real (>= 1000). The
  * singularities of a patch are the singular vertices of the mesh in it, its
- * boundary included; those of AMST_ALL are the ones of the whole mesh. */
+ * boundary included; those of AMST_ALL are the ones of the whole mesh.
+ *
+ * Sizes and time step are those of the faces of the patch. The area that amst_adapt and
+ * amst_reduce_singularities want there is the area that was there (smoothed): at the
+ * border as it is, inside that over a factor, so that the count is reached; in between
+ * it changes over half the depth. AMST_ALL: the size error is the root mean square over
+ * the faces of all patches, the least area the smallest, the time step that of the whole
+ * mesh. Without patches and for the other operations no sizes are wanted. A patch that is
+ * left has after = before and the time step 1. */
 enum amst_result {
     AMST_RESULT_INVALID = -1,
     AMST_RESULT_STATUS = 0, /* amst_status of the patch; of AMST_ALL: of the call */
@@ -240,13 +248,18 @@ enum amst_result {
     AMST_RESULT_FACES_WANTED = 3,    /* alpha * before, rounded */
     AMST_RESULT_SINGULAR_BEFORE = 4, /* interior vertices of valence != 4 */
     AMST_RESULT_SINGULAR_AFTER = 5,
-    AMST_RESULT_SINGULAR_BOUND = 6,    /* least number that any filling of the boundary has */
-    AMST_RESULT_CANDIDATE = 7,         /* 0: the filling that promised most; n: geometry forced the n-th later */
-    AMST_RESULT_UNUSED_OPTION = 8,     /* AMST_ALL: key of the first option set in vain, -1: none */
-    AMST_RESULT_ALPHA = 1000,          /* after / before */
+    AMST_RESULT_SINGULAR_BOUND = 6, /* least number that any filling of the boundary has */
+    AMST_RESULT_CANDIDATE = 7,      /* 0: the filling that promised most; n: geometry forced the n-th later */
+    AMST_RESULT_UNUSED_OPTION = 8,  /* AMST_ALL: key of the first option set in vain, -1: none */
+    AMST_RESULT_ALPHA = 1000,       /* after / before */
     AMST_RESULT_QUALITY_BEFORE = 1001, /* smallest scaled Jacobian */
     AMST_RESULT_QUALITY_AFTER = 1002,
     AMST_RESULT_SECONDS = 1003,
+    AMST_RESULT_SIZE_ERROR_BEFORE = 1004, /* rms of log2(area / wanted area); NaN: no sizes were wanted */
+    AMST_RESULT_SIZE_ERROR_AFTER = 1005,
+    AMST_RESULT_LEAST_AREA_BEFORE = 1006, /* smallest area / wanted area; NaN likewise */
+    AMST_RESULT_LEAST_AREA_AFTER = 1007,
+    AMST_RESULT_TIME_STEP = 1008, /* smallest area / perimeter of a face, after over before */
     AMST_RESULT_MAX = 0x7fffffff
 };
 
@@ -593,19 +606,19 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
 
 /* Replace each patch by its alpha template: round(alpha * faces) faces, few singular vertices, the border
  * as it is. alpha > 0 is for the patches that have none of their own.
- * Sizes: at the border, whose edges stay, faces are wanted as large as they were; inside they are wanted smaller
- * or larger by one factor, so that the count is reached, with a smooth transition over half the depth of the
- * patch. Of fillings with few singular vertices the one is taken that has these sizes best and good angles; none
- * with a face below an eighth of what is wanted, unless there was one.
- * At alpha 1 a patch keeps its sizes; its singular vertices do not become more and its smallest scaled Jacobian
- * does not fall. Where nothing is gained it stays bit for bit, as a whole mesh does: a second equal call changes
- * nothing. (A whole mesh with ALIGN or a field "size" may move on.)
- * patches NULL: the whole mesh, by windows: disks that the library chooses, grows and moves over it. It gets
- * round(alpha * faces) faces, or the result is AMST_PARTIAL, and as few singular vertices as can be; its
- * boundary stays. Same mesh, options and seed, same result, on any number of threads.
- * Curved meshes keep to their surface, see amst_mesh_set_surface: it and what is filled anew stay within
- * AMST_OPT_TOLERANCE of each other. What cannot be filled so, patches and the last faces of a whole mesh, may
- * be up to 3 times as far; a patch that cannot be filled so either is left with AMST_ERR_GEOMETRY.
+ * Sizes: at the border, whose edges stay, faces are wanted as large as they were; inside they are wanted
+ * smaller or larger by one factor, so that the count is reached, with a smooth transition over half the depth
+ * of the patch. Of fillings with few singular vertices the one is taken that has these sizes best and good
+ * angles; none with a face below an eighth of what is wanted, unless there was one. At alpha 1 a patch keeps
+ * its sizes; its singular vertices do not become more and its smallest scaled Jacobian does not fall. Where
+ * nothing is gained it stays bit for bit, as a whole mesh does: a second equal call changes nothing. (A whole
+ * mesh with ALIGN or a field "size" may move on.) patches NULL: the whole mesh, by windows: disks that the
+ * library chooses, grows and moves over it. It gets round(alpha * faces) faces, or the result is
+ * AMST_PARTIAL, and as few singular vertices as can be; its boundary stays. Same mesh, options and seed, same
+ * result, on any number of threads. Curved meshes keep to their surface, see amst_mesh_set_surface: it and
+ * what is filled anew stay within AMST_OPT_TOLERANCE of each other. What cannot be filled so, patches and the
+ * last faces of a whole mesh, may be up to 3 times as far; a patch that cannot be filled so either is left
+ * with AMST_ERR_GEOMETRY.
  *
  * What counts in amst_adapt (A), amst_reduce_singularities (R), amst_smooth (S) and amst_clean (C):
  *

@@ -1,6 +1,7 @@
 #include "capi/change.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "capi/guard.h"
@@ -34,12 +35,17 @@ Report::Row row_of(const Outcome &outcome, bool exact) {
     row.quality_before = outcome.quality_before;
     row.quality_after = outcome.quality_after;
     row.seconds = outcome.seconds;
+    row.size_error_before = outcome.size_error_before;
+    row.size_error_after = outcome.size_error_after;
+    row.least_area_before = outcome.least_area_before;
+    row.least_area_after = outcome.least_area_after;
+    row.time_step = outcome.time_step;
     row.valences_before = outcome.valences_before;
     row.valences_after = outcome.valences_after;
     return row;
 }
 
-// Counts are added up, qualities are the smallest, the candidate is the latest.
+// Counts are added up, qualities and areas are the smallest, the candidate is the latest.
 void include(Report::Row &all, const Report::Row &row, bool first) {
     if (row.status != AMST_OK)
         all.status = AMST_PARTIAL;
@@ -50,6 +56,22 @@ void include(Report::Row &all, const Report::Row &row, bool first) {
     all.candidate = std::max(all.candidate, row.candidate);
     all.quality_before = first ? row.quality_before : std::min(all.quality_before, row.quality_before);
     all.quality_after = first ? row.quality_after : std::min(all.quality_after, row.quality_after);
+    // These pass over what is NaN.
+    all.least_area_before = std::fmin(all.least_area_before, row.least_area_before);
+    all.least_area_after = std::fmin(all.least_area_after, row.least_area_after);
+}
+
+// Root mean square over the faces of the patches that have such an error; NaN if none has.
+double rms(const std::vector<Outcome> &outcomes, double Outcome::*error, std::int64_t Outcome::*faces) {
+    double sum = 0, weight = 0;
+    for (const Outcome &outcome : outcomes) {
+        const double one = outcome.*error;
+        if (std::isnan(one))
+            continue;
+        sum += static_cast<double>(outcome.*faces) * one * one;
+        weight += static_cast<double>(outcome.*faces);
+    }
+    return std::sqrt(sum / weight);
 }
 
 } // namespace
@@ -101,6 +123,8 @@ Report Change::report_of(const std::vector<Outcome> &outcomes, bool exact) const
         if (patches_ != nullptr)
             report.patches.push_back(std::move(row));
     }
+    report.all.size_error_before = rms(outcomes, &Outcome::size_error_before, &Outcome::faces_before);
+    report.all.size_error_after = rms(outcomes, &Outcome::size_error_after, &Outcome::faces_after);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
     report.all.seconds = spent.count();
     return report;
@@ -109,6 +133,8 @@ Report Change::report_of(const std::vector<Outcome> &outcomes, bool exact) const
 void Change::describe_meshes(Report &report) const {
     reference::count(*mesh_->current, report.all.valences_before, report.all.singular_before);
     reference::count(*copy_, report.all.valences_after, report.all.singular_after);
+    report.all.time_step =
+        reference::time_step_ratio(reference::time_step(*mesh_->current), reference::time_step(*copy_));
     report.vertices = {copy_->n_vertices(), copy_->vertex_origin};
     report.edges = {copy_->n_edges(), copy_->edge_origin};
     report.faces = {copy_->n_faces(), copy_->face_origin};

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <vector>
@@ -70,6 +71,10 @@ struct Report {
         std::int64_t candidate = 0;
         std::int64_t unused_option = AMST_OPTION_INVALID;
         double quality_before = 0, quality_after = 0, seconds = 0;
+        double size_error_before = std::numeric_limits<double>::quiet_NaN();
+        double size_error_after = size_error_before;
+        double least_area_before = size_error_before, least_area_after = size_error_before;
+        double time_step = 1;
         std::map<int, std::int64_t> valences_before, valences_after;
     };
     struct Origin {

@@ -59,6 +59,16 @@ double real(const Report::Row &row, std::int32_t key) {
         return row.quality_after;
     case AMST_RESULT_SECONDS:
         return row.seconds;
+    case AMST_RESULT_SIZE_ERROR_BEFORE:
+        return row.size_error_before;
+    case AMST_RESULT_SIZE_ERROR_AFTER:
+        return row.size_error_after;
+    case AMST_RESULT_LEAST_AREA_BEFORE:
+        return row.least_area_before;
+    case AMST_RESULT_LEAST_AREA_AFTER:
+        return row.least_area_after;
+    case AMST_RESULT_TIME_STEP:
+        return row.time_step;
     default:
         no_result(key);
     }

@@ -56,6 +56,7 @@ Outcome insert_rings(mesh::QuadMesh &mesh, Patch &patch, int n, const Settings &
     outcome.faces_before = outcome.faces_after = outcome.faces_wanted =
         static_cast<std::int64_t>(patch.faces.size());
     outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
+    const double time_step = reference::time_step(mesh, patch.faces);
     try {
         refill::Goal goal;
         goal.faces = outcome.faces_before;
@@ -80,6 +81,7 @@ Outcome insert_rings(mesh::QuadMesh &mesh, Patch &patch, int n, const Settings &
         outcome.valences_after = cavity.valences(shape.filling);
         outcome.singular_after = reference::singular(outcome.valences_after);
         outcome.quality_after = reference::least_quality(mesh, patch.faces);
+        outcome.time_step = reference::time_step_ratio(time_step, reference::time_step(mesh, patch.faces));
     } catch (const refill::Refusal &refusal) {
         outcome.fault = refusal.fault;
         outcome.text = refusal.text;

@@ -14,11 +14,48 @@ namespace alphamst::reference {
 namespace {
 
 // Of n quads.
-template <class QuadOf> double least(std::size_t n, QuadOf quad) {
+template <class QuadOf, class Measure> double least(std::size_t n, QuadOf quad, Measure measure) {
     double result = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i)
-        result = std::min(result, quality::measure(quality::Metric::scaled_jacobian, quad(i), 1));
+        result = std::min(result, measure(quad(i)));
     return n == 0 ? 0 : result;
+}
+
+double scaled_jacobian(const geometry::Quad &quad) {
+    return quality::measure(quality::Metric::scaled_jacobian, quad, 1);
+}
+
+double area_over_perimeter(const geometry::Quad &quad) {
+    double perimeter = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        perimeter += (quad[(k + 1) % 4] - quad[k]).norm();
+    return perimeter > 0 ? geometry::area_vector(quad).norm() / perimeter : 0;
+}
+
+template <class Measure> double least_of(const mesh::QuadMesh &mesh, Measure measure) {
+    return least(
+        at(mesh.n_faces()), [&](std::size_t f) { return quad_of(mesh, static_cast<int>(f)); }, measure);
+}
+
+template <class Measure>
+double least_of(const mesh::QuadMesh &mesh, std::span<const int> faces, Measure measure) {
+    return least(
+        faces.size(), [&](std::size_t i) { return quad_of(mesh, faces[i]); }, measure);
+}
+
+template <class Measure>
+double least_of(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
+                std::span<const OpenMesh::Vec3d> points, Measure measure) {
+    const auto quad_at = [&](std::size_t q) {
+        geometry::Quad quad;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t v = at(quads[q][k]);
+            const OpenMesh::Vec3d &p = v < loop.size() ? mesh.point(loop[v]) : points[v - loop.size()];
+            quad[k] = {p[0], p[1], p[2]};
+        }
+        return quad;
+    };
+    return least(quads.size(), quad_at, measure);
 }
 
 } // namespace
@@ -40,26 +77,29 @@ std::int64_t singular(const std::map<int, std::int64_t> &valences) {
     return sum;
 }
 
-double least_quality(const mesh::QuadMesh &mesh) {
-    return least(at(mesh.n_faces()), [&](std::size_t f) { return quad_of(mesh, static_cast<int>(f)); });
-}
+double least_quality(const mesh::QuadMesh &mesh) { return least_of(mesh, scaled_jacobian); }
 
 double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces) {
-    return least(faces.size(), [&](std::size_t i) { return quad_of(mesh, faces[i]); });
+    return least_of(mesh, faces, scaled_jacobian);
 }
 
 double least_quality(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
                      std::span<const OpenMesh::Vec3d> points) {
-    return least(quads.size(), [&](std::size_t q) {
-        geometry::Quad quad;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const std::size_t v = at(quads[q][k]);
-            const OpenMesh::Vec3d &p = v < loop.size() ? mesh.point(loop[v]) : points[v - loop.size()];
-            quad[k] = {p[0], p[1], p[2]};
-        }
-        return quad;
-    });
+    return least_of(mesh, loop, quads, points, scaled_jacobian);
 }
+
+double time_step(const mesh::QuadMesh &mesh) { return least_of(mesh, area_over_perimeter); }
+
+double time_step(const mesh::QuadMesh &mesh, std::span<const int> faces) {
+    return least_of(mesh, faces, area_over_perimeter);
+}
+
+double time_step(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
+                 std::span<const OpenMesh::Vec3d> points) {
+    return least_of(mesh, loop, quads, points, area_over_perimeter);
+}
+
+double time_step_ratio(double before, double after) { return before == after ? 1 : after / before; }
 
 geometry::Points flatten(const mesh::QuadMesh &mesh, const geometry::Plane &plane) {
     geometry::Points positions;

@@ -27,6 +27,15 @@ double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces);
 double least_quality(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
                      std::span<const OpenMesh::Vec3d> points);
 
+// What an explicit time step may be as long as, but for a factor: the smallest area over perimeter of the
+// faces. 0 where there are no faces.
+double time_step(const mesh::QuadMesh &mesh);
+double time_step(const mesh::QuadMesh &mesh, std::span<const int> faces);
+double time_step(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
+                 std::span<const OpenMesh::Vec3d> points);
+// What an operation made of it; 1 where nothing has changed, be it 0.
+double time_step_ratio(double before, double after);
+
 // All vertices of the mesh in the plane.
 geometry::Points flatten(const mesh::QuadMesh &mesh, const geometry::Plane &plane);
 

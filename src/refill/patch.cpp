@@ -44,6 +44,19 @@ std::vector<int> buffer_of(const mesh::QuadMesh &mesh, const Cavity &cavity) {
     return faces;
 }
 
+// Faces, shapes and sizes of what comes in the place of the patch.
+void tell_taken(const mesh::QuadMesh &mesh, const Patch &patch, const Replacement &taken,
+                const SizeError &sizes, Outcome &outcome) {
+    const auto &loop = taken.window.loop;
+    const auto &quads = taken.filling.quads;
+    outcome.faces_after = static_cast<std::int64_t>(quads.size());
+    outcome.quality_after = reference::least_quality(mesh, loop, quads, taken.points);
+    outcome.size_error_after = sizes.rms;
+    outcome.least_area_after = std::exp2(sizes.least);
+    outcome.time_step = reference::time_step_ratio(reference::time_step(mesh, patch.faces),
+                                                   reference::time_step(mesh, loop, quads, taken.points));
+}
+
 } // namespace
 
 std::int64_t wanted_faces(double alpha, std::size_t faces) {
@@ -65,6 +78,9 @@ Proposal propose(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goa
         outcome.singular_before = outcome.singular_after = singular_of(outcome.valences_before);
         outcome.singular_bound = bound(cavity, mesh);
         outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
+        const SizeError old = cavity.old_size_error();
+        outcome.size_error_before = outcome.size_error_after = old.rms;
+        outcome.least_area_before = outcome.least_area_after = std::exp2(old.least);
         const BufferRing buffer(mesh, cavity, buffer_of(mesh, cavity), true);
         Evaluator evaluator(mesh, cavity, buffer, settings, proposal.trace);
         Chosen best = FillingChoice(cavity, evaluator, proposal.trace, sized, settings).run();
@@ -72,10 +88,7 @@ Proposal propose(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goa
         if (proposal.unchanged)
             return finish(std::move(proposal), start);
         proposal.replacement = std::move(best.evaluation->replacement);
-        const Replacement &taken = proposal.replacement;
-        outcome.quality_after =
-            reference::least_quality(mesh, taken.window.loop, taken.filling.quads, taken.points);
-        outcome.faces_after = static_cast<std::int64_t>(taken.filling.quads.size());
+        tell_taken(mesh, patch, proposal.replacement, best.evaluation->size_error, outcome);
         outcome.valences_after = std::move(best.valences);
         outcome.singular_after = singular_of(outcome.valences_after);
         outcome.candidate = best.number;

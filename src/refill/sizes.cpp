@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "index.h"
@@ -129,7 +130,7 @@ double Sizes::log_at(const Eigen::Vector3d &place) const {
 }
 
 SizeError Sizes::error(std::span<const geometry::Quad> quads) const {
-    SizeError error;
+    SizeError error{0, std::numeric_limits<double>::infinity()};
     for (const geometry::Quad &quad : quads) {
         const double e = (std::log(area(quad)) - log_at(centre(quad))) / std::numbers::ln2;
         error.rms += e * e;

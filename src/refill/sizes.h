@@ -12,7 +12,7 @@
 
 namespace alphamst::refill {
 
-// Of log2(area / wanted area).
+// Of log2(area / wanted area). least: of the face that is smallest by that.
 struct SizeError {
     double rms = 0, least = 0;
 };

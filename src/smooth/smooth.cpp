@@ -138,6 +138,7 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, faces);
     if (faces.empty())
         return outcome;
+    const double time_step = reference::time_step(mesh, faces);
     const Patch patch{faces, {}, 0};
     const reference::Reference reference = reference::reference_of(mesh, std::span(&patch, 1));
     mesh.surface = reference.surface;
@@ -146,6 +147,7 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     else
         smooth_on_surface(mesh, part, reference, settings);
     outcome.quality_after = reference::least_quality(mesh, faces);
+    outcome.time_step = reference::time_step_ratio(time_step, reference::time_step(mesh, faces));
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }

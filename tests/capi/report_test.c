@@ -8,8 +8,17 @@ static const int32_t integer_keys[] = {
     AMST_RESULT_FACES_WANTED,   AMST_RESULT_SINGULAR_BEFORE, AMST_RESULT_SINGULAR_AFTER,
     AMST_RESULT_SINGULAR_BOUND, AMST_RESULT_CANDIDATE,       AMST_RESULT_UNUSED_OPTION,
 };
-static const int32_t real_keys[] = {AMST_RESULT_ALPHA, AMST_RESULT_QUALITY_BEFORE, AMST_RESULT_QUALITY_AFTER,
-                                    AMST_RESULT_SECONDS};
+static const int32_t real_keys[] = {AMST_RESULT_ALPHA,
+                                    AMST_RESULT_QUALITY_BEFORE,
+                                    AMST_RESULT_QUALITY_AFTER,
+                                    AMST_RESULT_SECONDS,
+                                    AMST_RESULT_SIZE_ERROR_BEFORE,
+                                    AMST_RESULT_SIZE_ERROR_AFTER,
+                                    AMST_RESULT_LEAST_AREA_BEFORE,
+                                    AMST_RESULT_LEAST_AREA_AFTER,
+                                    AMST_RESULT_TIME_STEP};
+static const int32_t size_keys[] = {AMST_RESULT_SIZE_ERROR_BEFORE, AMST_RESULT_SIZE_ERROR_AFTER,
+                                    AMST_RESULT_LEAST_AREA_BEFORE, AMST_RESULT_LEAST_AREA_AFTER};
 
 static void it_outlives_mesh_and_patches(void **state) {
     (void)state;
@@ -69,6 +78,120 @@ static void it_outlives_mesh_and_patches(void **state) {
     }
 }
 
+/* Smallest area over perimeter, of the faces of a patch or of all. */
+static double step_of(const amst_mesh *mesh, const amst_patches *set, amst_id patch) {
+    int64_t n = count_of(mesh, AMST_FACE);
+    double *points = points_of(mesh), least = HUGE_VAL;
+    amst_id *corners = faces_of(mesh), *chosen = memory(sizeof(amst_id) * (size_t)n);
+    for (int64_t f = 0; f < n; ++f)
+        chosen[f] = (amst_id)f;
+    if (set != NULL)
+        must(amst_patches_get_faces(set, patch, chosen, n, &n));
+    for (int64_t i = 0; i < n; ++i) {
+        double area = 0, perimeter = 0;
+        for (int k = 0; k < 4; ++k) {
+            const double *a = points + 2 * corners[4 * chosen[i] + k];
+            const double *b = points + 2 * corners[4 * chosen[i] + (k + 1) % 4];
+            area += (a[0] * b[1] - a[1] * b[0]) / 2;
+            perimeter += hypot(a[0] - b[0], a[1] - b[1]);
+        }
+        least = fmin(least, area / perimeter);
+    }
+    free(chosen);
+    free(corners);
+    free(points);
+    return least;
+}
+
+/* Three patches, of which the last is left, as it is in two pieces. */
+static amst_patches *three_patches(const amst_mesh *mesh) {
+    const amst_id apart[2] = {11, 143};
+    amst_options *options = NULL;
+    amst_patches *set = NULL;
+    must(amst_options_create(&options));
+    must(amst_options_set_int(options, AMST_OPT_REPAIR_PATCHES, 0));
+    must(amst_patches_create(mesh, options, &set));
+    add_square(set, 12, 1, 6);
+    add_square(set, 12, 7, 11);
+    must(amst_patches_add_faces(set, apart, 2, NULL));
+    amst_options_destroy(options);
+    return set;
+}
+
+static void sizes_of_patches_are_summed_up(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, 12, 12);
+    amst_patches *set = three_patches(mesh);
+    amst_report *report = NULL;
+    const double whole = step_of(mesh, NULL, 0);
+    double before[2], squares = 0, least = HUGE_VAL;
+    for (amst_id p = 0; p < 2; ++p)
+        before[p] = step_of(mesh, set, p);
+    assert_int_equal(amst_adapt(mesh, set, 2, NULL, &report), AMST_PARTIAL);
+    for (amst_id p = 0; p < 2; ++p) {
+        const double error = real_result(report, p, AMST_RESULT_SIZE_ERROR_AFTER);
+        assert_true(error > 0 && error < real_result(report, p, AMST_RESULT_SIZE_ERROR_BEFORE));
+        squares += error * error * (double)result(report, p, AMST_RESULT_FACES_AFTER);
+        least = fmin(least, real_result(report, p, AMST_RESULT_LEAST_AREA_AFTER));
+        assert_true(real_result(report, p, AMST_RESULT_LEAST_AREA_BEFORE) > 0.9); /* all are too large */
+        assert_true(fabs(real_result(report, p, AMST_RESULT_TIME_STEP) - step_of(mesh, set, p) / before[p]) <
+                    1e-9);
+    }
+    for (size_t k = 0; k < sizeof size_keys / sizeof *size_keys; ++k)
+        assert_true(isnan(real_result(report, 2, size_keys[k]))); /* it came to no wanted sizes */
+    assert_true(real_result(report, 2, AMST_RESULT_TIME_STEP) == 1);
+    const double faces =
+        (double)(result(report, 0, AMST_RESULT_FACES_AFTER) + result(report, 1, AMST_RESULT_FACES_AFTER));
+    assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_SIZE_ERROR_AFTER) - sqrt(squares / faces)) <
+                1e-12);
+    assert_true(real_result(report, AMST_ALL, AMST_RESULT_LEAST_AREA_AFTER) == least);
+    assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_TIME_STEP) - step_of(mesh, NULL, 0) / whole) <
+                1e-9);
+    amst_report_destroy(report);
+    amst_patches_destroy(set);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+/* Other operations, and those without patches, want no sizes, but tell the time step. */
+static void without_wanted_sizes_they_are_nan(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    for (int operation = 0; operation < 5; ++operation) {
+        amst_mesh *mesh = operation == 1 ? new_grid(ctx, 0, 16, 16) : new_disturbed(ctx, 16);
+        amst_patches *set = NULL;
+        amst_report *report = NULL;
+        must(amst_patches_create(mesh, NULL, &set));
+        const double centre[3] = {5, 5, 0};
+        if (operation == 0)
+            must(amst_patches_add_ball(set, centre, 3, NULL));
+        if (operation == 1)
+            add_square(set, 16, 3, 9);
+        const double whole = step_of(mesh, NULL, 0), part = operation < 2 ? step_of(mesh, set, 0) : 1;
+        const amst_status status = operation == 0   ? amst_smooth(mesh, set, NULL, &report)
+                                   : operation == 1 ? amst_insert_chords(mesh, set, 1, NULL, &report)
+                                   : operation == 2 ? amst_adapt(mesh, NULL, 1.5, NULL, &report)
+                                   : operation == 3 ? amst_reduce_singularities(mesh, NULL, NULL, &report)
+                                                    : amst_clean(mesh, NULL, &report);
+        assert_true(status >= 0);
+        for (size_t k = 0; k < sizeof size_keys / sizeof *size_keys; ++k)
+            assert_true(isnan(real_result(report, AMST_ALL, size_keys[k])));
+        assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_TIME_STEP) -
+                         step_of(mesh, NULL, 0) / whole) < 1e-9);
+        if (operation < 2) {
+            assert_true(isnan(real_result(report, 0, AMST_RESULT_SIZE_ERROR_AFTER)));
+            assert_true(real_result(report, 0, AMST_RESULT_TIME_STEP) != 1);
+            assert_true(fabs(real_result(report, 0, AMST_RESULT_TIME_STEP) - step_of(mesh, set, 0) / part) <
+                        1e-9);
+        }
+        amst_report_destroy(report);
+        amst_patches_destroy(set);
+        amst_mesh_destroy(mesh);
+    }
+    amst_context_destroy(ctx);
+}
+
 /* Edges whose vertices both stayed come from the edge between the old ones. */
 static void edge_origins_fit_vertex_origins(void **state) {
     (void)state;
@@ -108,6 +231,8 @@ static void edge_origins_fit_vertex_origins(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(it_outlives_mesh_and_patches),
+        cmocka_unit_test(sizes_of_patches_are_summed_up),
+        cmocka_unit_test(without_wanted_sizes_they_are_nan),
         cmocka_unit_test(edge_origins_fit_vertex_origins),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
 #include "adapt/meshes.h"
 #include "mesh/grids.h"
 
@@ -19,6 +24,32 @@ TEST(Statistics, InteriorVerticesAreCountedByValence) {
     count(grid.build(), valences, singular);          // adds up
     EXPECT_EQ(valences, (std::map<int, std::int64_t>{{4, 31}, {5, 1}}));
     EXPECT_EQ(singular, 1);
+}
+
+TEST(Statistics, TheTimeStepIsThatOfTheSmallestFace) {
+    mesh::Grid grid = mesh::plane(3, 2);
+    const mesh::QuadMesh even = grid.build();
+    EXPECT_NEAR(time_step(even), 0.25, 1e-12);
+    grid.points[3] = 0.5; // vertex 1: face 0 becomes narrower below, face 1 wider
+    const mesh::QuadMesh mesh = grid.build();
+    const double slanted = std::sqrt(1.25);
+    EXPECT_NEAR(time_step(mesh), 0.75 / (2.5 + slanted), 1e-12);
+    EXPECT_NEAR(time_step(mesh, std::vector{1}), 1.25 / (3.5 + slanted), 1e-12);
+    EXPECT_NEAR(time_step(mesh, std::vector{2, 3}), 0.25, 1e-12);
+    // Two quads in the place of face 2: its vertices 2, 3, 7, 6 and a new one on either side.
+    const std::vector<int> loop{2, 3, 7, 6};
+    const std::vector<std::array<int, 4>> quads{{0, 1, 4, 5}, {5, 4, 2, 3}};
+    const std::vector<OpenMesh::Vec3d> points{{3, 0.25, 0}, {2, 0.25, 0}};
+    EXPECT_NEAR(time_step(mesh, loop, quads, points), 0.25 / 2.5, 1e-12);
+    EXPECT_EQ(time_step(mesh, std::vector<int>{}), 0);
+}
+
+TEST(Statistics, AFaceThatIsAPointHasNoTimeStep) {
+    const mesh::QuadMesh point = mesh::Grid{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 2, 3}}.build();
+    EXPECT_EQ(time_step(point), 0);
+    EXPECT_EQ(time_step_ratio(0, 0), 1); // nothing has changed
+    EXPECT_EQ(time_step_ratio(2, 1), 0.5);
+    EXPECT_EQ(time_step_ratio(0, 1), std::numeric_limits<double>::infinity());
 }
 
 TEST(Statistics, AMeshIsFlattenedIntoItsPlane) {

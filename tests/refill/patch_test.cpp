@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "adapt/run.h"
 #include "index.h"
 #include "mesh/curved.h"
 #include "mesh/grids.h"
+#include "reference/statistics.h"
 
 namespace alphamst::refill {
 namespace {
@@ -76,6 +78,49 @@ TEST(Propose, GivesTheWantedFacesAndLeavesAllOutside) {
         EXPECT_NEAR(proposal.outcome.quality_after,
                     adapt::samples::least_scaled_jacobian(of.mesh, replaced.faces), 1e-9);
     }
+}
+
+TEST(Propose, TellsSizes) {
+    Case of(grid(12, 12), block(12, 2, 2, 10, 10), 2);
+    const mesh::QuadMesh before = of.mesh;
+    const Proposal proposal = of.propose();
+    const Outcome &outcome = proposal.outcome;
+    ASSERT_FALSE(outcome.fault) << outcome.text;
+    EXPECT_GT(outcome.size_error_before, 0.8); // by a factor of more than 2 in the core, of 1 at the border
+    EXPECT_LT(outcome.size_error_before, 1.5);
+    EXPECT_LT(outcome.size_error_after, outcome.size_error_before);
+    EXPECT_NEAR(outcome.least_area_before, 1.2, 0.2); // next to the border; no face is too small
+    EXPECT_GT(outcome.least_area_after, 0.125);
+    EXPECT_LT(outcome.least_area_after, 1);
+    const auto replaced = commit(of.mesh, proposal.replacement);
+    EXPECT_NEAR(outcome.time_step,
+                reference::time_step(of.mesh, replaced.faces) / reference::time_step(before, of.patch.faces),
+                1e-12);
+    EXPECT_LT(outcome.time_step, 0.8); // half the area, at best
+}
+
+void expect_sizes_stay(const Outcome &outcome) {
+    EXPECT_FALSE(std::isnan(outcome.size_error_before));
+    EXPECT_EQ(outcome.size_error_after, outcome.size_error_before);
+    EXPECT_EQ(outcome.least_area_after, outcome.least_area_before);
+    EXPECT_EQ(outcome.time_step, 1);
+}
+
+TEST(Propose, TellsTheOldSizesWhereThePatchIsLeft) {
+    Case of(grid(8, 8), block(8, 1, 1, 7, 7), 1);
+    const Outcome same = of.propose().outcome; // nothing is better
+    expect_sizes_stay(same);
+    EXPECT_NEAR(same.size_error_after, 0, 1e-6);
+    EXPECT_NEAR(same.least_area_after, 1, 1e-6);
+    of.goal.faces = 4;
+    const Outcome left = of.propose().outcome;
+    EXPECT_EQ(left.fault, Fault::no_filling);
+    expect_sizes_stay(left);
+    of.patch.faces = {0, 20}; // no disk, so that there are no sizes to want
+    const Outcome apart = of.propose().outcome;
+    EXPECT_EQ(apart.fault, Fault::patch);
+    EXPECT_TRUE(std::isnan(apart.size_error_before) && std::isnan(apart.least_area_after));
+    EXPECT_EQ(apart.time_step, 1);
 }
 
 TEST(Propose, LeavesWhatCannotBeBettered) {

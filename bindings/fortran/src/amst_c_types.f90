@@ -158,6 +158,11 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_RESULT_QUALITY_BEFORE = 1001
     integer(c_int32_t), parameter :: AMST_RESULT_QUALITY_AFTER = 1002
     integer(c_int32_t), parameter :: AMST_RESULT_SECONDS = 1003
+    integer(c_int32_t), parameter :: AMST_RESULT_SIZE_ERROR_BEFORE = 1004
+    integer(c_int32_t), parameter :: AMST_RESULT_SIZE_ERROR_AFTER = 1005
+    integer(c_int32_t), parameter :: AMST_RESULT_LEAST_AREA_BEFORE = 1006
+    integer(c_int32_t), parameter :: AMST_RESULT_LEAST_AREA_AFTER = 1007
+    integer(c_int32_t), parameter :: AMST_RESULT_TIME_STEP = 1008
     integer(c_int32_t), parameter :: AMST_RESULT_MAX = 2147483647
 
     ! amst_log_level

@@ -50,6 +50,11 @@ contains
         call claim(abs(report%get_real(AMST_RESULT_QUALITY_BEFORE, 1) - 1) < 1e-12_real64, 'quality before')
         call claim(report%get_real(AMST_RESULT_QUALITY_AFTER, 1) < 1, 'quality after')
         call claim(report%get_real(AMST_RESULT_SECONDS) >= 0, 'seconds')
+        call claim(report%get_real(AMST_RESULT_SIZE_ERROR_AFTER) < report%get_real(AMST_RESULT_SIZE_ERROR_BEFORE), &
+            'size error')
+        call claim(report%get_real(AMST_RESULT_LEAST_AREA_AFTER, 1) > 0.125_real64, 'least area after')
+        call claim(report%get_real(AMST_RESULT_LEAST_AREA_BEFORE, 1) > 0.9_real64, 'least area before')
+        call claim(report%get_real(AMST_RESULT_TIME_STEP) < 1, 'time step')
         call claim(report%valence(4, .false.) == 81, 'valence 4 before')
         call claim(report%valence(3, .true.) + report%valence(5, .true.) == singular, 'valences 3 and 5 after')
         call claim(report%valence(3, .false., 1) == 0, 'valence 3 before')

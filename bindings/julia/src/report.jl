@@ -7,7 +7,11 @@ const result_keys = (status = AMST_RESULT_STATUS, faces_before = AMST_RESULT_FAC
                      singular_bound = AMST_RESULT_SINGULAR_BOUND, candidate = AMST_RESULT_CANDIDATE,
                      unused_option = AMST_RESULT_UNUSED_OPTION,
                      alpha = AMST_RESULT_ALPHA, quality_before = AMST_RESULT_QUALITY_BEFORE,
-                     quality_after = AMST_RESULT_QUALITY_AFTER, seconds = AMST_RESULT_SECONDS)
+                     quality_after = AMST_RESULT_QUALITY_AFTER, seconds = AMST_RESULT_SECONDS,
+                     size_error_before = AMST_RESULT_SIZE_ERROR_BEFORE,
+                     size_error_after = AMST_RESULT_SIZE_ERROR_AFTER,
+                     least_area_before = AMST_RESULT_LEAST_AREA_BEFORE,
+                     least_area_after = AMST_RESULT_LEAST_AREA_AFTER, time_step = AMST_RESULT_TIME_STEP)
 
 """
     report[key]
@@ -26,9 +30,15 @@ What an operation did, in all or to one patch; a `Report` outlives mesh and patc
 | `:alpha` | after / before |
 | `:quality_before`, `:quality_after` | smallest scaled Jacobian |
 | `:seconds` | time spent |
+| `:size_error_before`, `:size_error_after` | root mean square of log2(area / wanted area); NaN if no sizes were wanted |
+| `:least_area_before`, `:least_area_after` | smallest area / wanted area; NaN likewise |
+| `:time_step` | smallest area / perimeter of a face, after over before |
 
 The first six rows are `Int64`, the others `Float64`. Over all patches counts are sums, singularities
-those of the whole mesh and qualities the smallest; an operation without patches has only that.
+those of the whole mesh, qualities and areas the smallest, the size error is the root mean square over
+the faces of all patches and the time step that of the whole mesh; an operation without patches has only
+that. Sizes are wanted in patches that [`adapt!`](@ref) and [`reduce_singularities!`](@ref) fill: as they
+were at the border, and inside as the number of faces asks for.
 Throws `AlphaMSTError`: RANGE (patch), NOT_FOUND (number of a key that the library does not know).
 """
 mutable struct Report <: Handle{amst_report}

@@ -16,10 +16,15 @@
         @test at(:quality_before) ≈ 1
         @test 0 < at(:quality_after) < 1
         @test at(:seconds) isa Float64 && 0 <= at(:seconds) < 60
-        numbers = [at(number) for number in [0:8; 1000:1002]]
+        @test 0.2 < at(:size_error_before) < 0.6 # the old faces are 1.26 times too large
+        @test 0 < at(:size_error_after) < 1
+        @test 0.125 < at(:least_area_after) < at(:least_area_before)
+        @test 0.1 < at(:time_step) < 1
+        numbers = [at(number) for number in [0:8; 1000:1002; 1004:1008]]
         @test numbers == [at(key) for key in keys(AlphaMST.result_keys) if key !== :seconds]
     end
     @test report[:quality_after] ≈ quality_summary(mesh, :scaled_jacobian).min
+    @test isnan(adapt!(mesh, 1)[:size_error_after]) # without patches no sizes are wanted
     @test_throws ArgumentError report[:faces]
     @test refusal(() -> report[999]) == "AMST_ERR_NOT_FOUND"
     @test refusal(() -> report[1999]) == "AMST_ERR_NOT_FOUND"

@@ -36,6 +36,16 @@ enumeration! {
         QualityAfter = AMST_RESULT_QUALITY_AFTER,
         /// Real: [`Outcome::seconds`].
         Seconds = AMST_RESULT_SECONDS,
+        /// Real: [`Outcome::size_error_before`].
+        SizeErrorBefore = AMST_RESULT_SIZE_ERROR_BEFORE,
+        /// Real: [`Outcome::size_error_after`].
+        SizeErrorAfter = AMST_RESULT_SIZE_ERROR_AFTER,
+        /// Real: [`Outcome::least_area_before`].
+        LeastAreaBefore = AMST_RESULT_LEAST_AREA_BEFORE,
+        /// Real: [`Outcome::least_area_after`].
+        LeastAreaAfter = AMST_RESULT_LEAST_AREA_AFTER,
+        /// Real: [`Outcome::time_step`].
+        TimeStep = AMST_RESULT_TIME_STEP,
     }
 }
 
@@ -73,8 +83,9 @@ impl Report {
         self.all().status() == Status::Partial
     }
 
-    /// All patches together: counts are sums and qualities the smallest, but singularities and valences
-    /// are those of the whole mesh. An operation that had no patches has only this.
+    /// All patches together: counts are sums, qualities and areas the smallest and size errors the root mean
+    /// square over all faces, but singularities, valences and the time step are those of the whole mesh. An
+    /// operation that had no patches has only this.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
@@ -225,6 +236,19 @@ results! {
     quality_after -> f64 = real(QualityAfter) "assert!(outcome.quality_after() > 0.0);";
     /// Seconds spent.
     seconds -> f64 = real(Seconds) "assert!(outcome.seconds() < 60.0);";
+    /// Root mean square of log2(area / wanted area) of the faces before; NaN if no sizes were wanted. They
+    /// are in patches that [`Mesh::adapt`](crate::Mesh::adapt) and
+    /// [`Mesh::reduce_singularities`](crate::Mesh::reduce_singularities) fill: as they were at the border, and
+    /// inside as the number of faces asks for.
+    size_error_before -> f64 = real(SizeErrorBefore) "assert!(outcome.size_error_before() > 0.0);";
+    /// The same of the faces after.
+    size_error_after -> f64 = real(SizeErrorAfter) "assert!(outcome.size_error_after() < 2.0);";
+    /// The smallest area over wanted area before; NaN if no sizes were wanted.
+    least_area_before -> f64 = real(LeastAreaBefore) "assert!(outcome.least_area_before() >= 0.99);";
+    /// The smallest area over wanted area after, likewise.
+    least_area_after -> f64 = real(LeastAreaAfter) "assert!(outcome.least_area_after() > 0.0);";
+    /// The smallest area over perimeter of a face, after over before.
+    time_step -> f64 = real(TimeStep) "assert!(outcome.time_step() < 1.0); // smaller faces";
 }
 
 impl<'a> Outcome<'a> {

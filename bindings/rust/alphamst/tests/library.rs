@@ -88,6 +88,11 @@ fn enumerations_have_the_numbers_of_the_header() {
     is(1001, ResultKey::QualityBefore);
     is(1002, ResultKey::QualityAfter);
     is(1003, ResultKey::Seconds);
+    is(1004, ResultKey::SizeErrorBefore);
+    is(1005, ResultKey::SizeErrorAfter);
+    is(1006, ResultKey::LeastAreaBefore);
+    is(1007, ResultKey::LeastAreaAfter);
+    is(1008, ResultKey::TimeStep);
     assert_eq!(Entity::try_from(-1), Err(UnknownValue(-1)));
     assert_eq!(UnknownValue(8).to_string(), "8 is no value of this enumeration");
     let flags = [Flags::FIXED, Flags::FEATURE, Flags::CORNER];

@@ -38,6 +38,13 @@ fn keys_have_values_of_their_own() {
     assert!((first.quality_before() - 1.0).abs() < 1e-12);
     let worst = mesh.summary(Metric::ScaledJacobian).min;
     assert!((first.quality_after() - worst).abs() < 1e-12 && worst < 0.99);
+    assert!(first.size_error_after() < first.size_error_before());
+    assert!(first.least_area_before() > first.least_area_after() && first.least_area_after() > 0.125);
+    assert!(first.time_step() > 0.1 && first.time_step() < 1.0);
+    assert!((first.time_step() - all.time_step()).abs() < 1e-12);
+    assert!(second.size_error_after().is_nan() && second.least_area_before().is_nan());
+    assert_eq!((second.time_step(), all.least_area_after()), (1.0, first.least_area_after()));
+    assert!((all.size_error_after() - first.size_error_after()).abs() < 1e-12);
     assert!(all.seconds() > 0.0 && all.seconds() < 60.0 && all.seconds() >= first.seconds());
     assert_eq!(first.candidate() as i64, first.get_int(7).unwrap());
     assert_eq!(report.patches().map(|patch| patch.faces_before()).collect::<Vec<_>>(), [16, 3]);
@@ -60,8 +67,21 @@ fn getters_are_those_of_their_keys() {
             outcome.unused_option().map_or(-1, |key| i32::from(key) as i64),
         ];
         assert_eq!(integers, [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|key| outcome.get_int(key).unwrap()));
-        let reals = [outcome.alpha(), outcome.quality_before(), outcome.quality_after(), outcome.seconds()];
-        assert_eq!(reals, [1000, 1001, 1002, 1003].map(|key| outcome.get_real(key).unwrap()));
+        let reals = [
+            outcome.alpha(),
+            outcome.quality_before(),
+            outcome.quality_after(),
+            outcome.seconds(),
+            outcome.size_error_before(),
+            outcome.size_error_after(),
+            outcome.least_area_before(),
+            outcome.least_area_after(),
+            outcome.time_step(),
+        ];
+        // By their bits, as what is not known is NaN.
+        let by_key =
+            [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008].map(|key| outcome.get_real(key).unwrap());
+        assert_eq!(reals.map(f64::to_bits), by_key.map(f64::to_bits));
         assert_eq!(outcome.get_int(ResultKey::Alpha).unwrap_err().status, Status::NotFound);
         assert_eq!(outcome.get_real(ResultKey::FacesAfter).unwrap_err().status, Status::NotFound);
     }
