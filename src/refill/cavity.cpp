@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "patch/region.h"
+#include "reference/cross_field.h"
+#include "reference/locate.h"
 #include "smooth/shaping.h"
 
 namespace alphamst::refill {
@@ -184,6 +186,15 @@ void Cavity::read_old_filling() {
             {local.at(corners[0]), local.at(corners[1]), local.at(corners[2]), local.at(corners[3])});
     }
     old_singular_all = singular_all(old);
+}
+
+double Cavity::old_alignment_error() const {
+    if (reference_.cross_field == nullptr)
+        return 0;
+    std::vector<geometry::Quad> quads;
+    for (const int f : window.faces)
+        quads.push_back(reference::quad_of(mesh_, f));
+    return reference_.cross_field->alignment_error(quads);
 }
 
 int Cavity::singular_all(const fill::Filling &filling) const {

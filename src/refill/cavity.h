@@ -81,6 +81,7 @@ public:
                               const geometry::SurfacePositions &on_surface) const;
     SizeError size_error(const fill::Filling &filling, const CavityEmbedding &embedding) const;
     SizeError old_size_error() const;
+    double old_alignment_error() const; // 0 where there is no cross field
     // Where the goal asks for sizes, these count so much against shapes, in 0 .. 1.
     CavityEmbedding embed(const PlacedFilling &shape, double size_weight = usual_size_weight) const;
     // The same in two steps where the patch is curved: into the chart and from there to the surface; without

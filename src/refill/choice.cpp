@@ -33,6 +33,10 @@ constexpr double least_gain = 1;
 constexpr double size_weights[] = {usual_size_weight, 0.3, 0.1};
 // Where faces get too small.
 constexpr double heavy_size_weight = 0.95;
+// And what a degree costs by which edges turn away from the cross field: four weigh as much as a singular
+// vertex.
+constexpr double price_of_turn = 0.25;
+constexpr int most_compared = 4;
 // log2 of the smallest face over what is wanted, below which each halving costs so much.
 constexpr double small = -2, price_of_small = 8;
 // And below which a filling is refused, unless there is one like that already: no time step falls by more.
@@ -61,7 +65,8 @@ FillingChoice::FillingChoice(const Cavity &cavity, Evaluator &evaluator, Trace &
     const SizeError old = cavity.old_size_error();
     old_least_ = old.least;
     if (present_ && cavity.old_shape.valid)
-        best_score_ = score(singular_before_, old, evaluator.before().scaled_jacobian) - least_gain;
+        best_score_ = score(singular_before_, old, evaluator.before().scaled_jacobian) +
+                      price_of_turn * cavity.old_alignment_error() - least_gain;
 }
 
 double FillingChoice::score(std::int64_t singular, const SizeError &sizes, double scaled_jacobian) const {
@@ -97,9 +102,11 @@ Chosen FillingChoice::run() {
     return std::move(best_);
 }
 
-bool FillingChoice::over() const {
-    return good() || (layouts_ >= least_layouts && effort_ >= (best_.evaluation ? most_effort : most_hope));
+bool FillingChoice::spent() const {
+    return layouts_ >= least_layouts && effort_ >= (best_.evaluation ? most_effort : most_hope);
 }
+
+bool FillingChoice::over() const { return good() || spent(); }
 
 bool FillingChoice::good() const {
     return best_.evaluation &&
@@ -202,7 +209,8 @@ bool FillingChoice::judge(const Ranked &ranked, std::int64_t number) {
         }
         const double quality = evaluation->shape.scaled_jacobian;
         const SizeError sizes = evaluation->size_error;
-        const double price = score(ranked.singular, sizes, quality);
+        const double price =
+            score(ranked.singular, sizes, quality) + price_of_turn * evaluation->replacement.alignment_error;
         if (price < best_score_) {
             best_score_ = price;
             best_ = {std::move(evaluation), cavity_.valences(ranked.shape.filling), number};
@@ -228,16 +236,18 @@ bool FillingChoice::is_too_small(const Evaluation &evaluation) const {
 void FillingChoice::lay_out(std::vector<Ranked> &pool) {
     std::stable_sort(pool.begin(), pool.end(),
                      [](const Ranked &a, const Ranked &b) { return a.rank < b.rank; });
+    // The first that is well shaped does, as laying out three gained nothing that could be measured; but how
+    // it lies to a cross field only the layout tells.
+    const int most = cavity_.reference().cross_field != nullptr ? most_compared : 1;
     std::int64_t number = 0;
+    int well_shaped = 0;
     for (const Ranked &ranked : pool) {
-        if (tried_ >= settings_.candidates || over())
+        if (tried_ >= settings_.candidates || spent() || well_shaped >= most)
             return;
         if (!evaluator_.fits(ranked.shape.filling))
             continue;
         ++tried_;
-        // The first that is well shaped does: laying out three gained nothing that could be measured.
-        if (judge(ranked, number++))
-            return;
+        well_shaped += judge(ranked, number++);
     }
 }
 

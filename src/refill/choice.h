@@ -47,6 +47,7 @@ private:
     double score(std::int64_t singular, const SizeError &sizes, double scaled_jacobian) const;
     bool good() const;
     bool over() const;
+    bool spent() const;
     ShapeBounds bounds() const;
     bool judge(const Ranked &ranked, std::int64_t number);
     std::optional<Evaluation> evaluate(const Ranked &ranked, double size_weight);

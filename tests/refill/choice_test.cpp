@@ -6,6 +6,8 @@
 
 #include "adapt/meshes.h"
 #include "index.h"
+#include "mesh/curved.h"
+#include "reference/cross_field.h"
 #include "refill/patch.h"
 
 namespace alphamst::refill {
@@ -73,6 +75,40 @@ TEST(Choice, NeverHasMoreSingularitiesOrWorseShapesWhereTheCountStays) {
 TEST(Choice, TakesNothingWhereNothingIsGained) {
     Choosing of(grid(10, 10), block(10, 1, 1, 9, 9), 1);
     EXPECT_FALSE(of.run().evaluation);
+}
+
+TEST(Choice, LiesAlongTheCrossField) {
+    double sum = 0, sum_along = 0;
+    for (const double alpha : {0.7, 1.4, 2.0, 2.5}) {
+        mesh::QuadMesh sphere = mesh::sphere(8);
+        const std::vector<int> faces =
+            patch::ball(sphere, {0, 0, 1}, 0.9, std::vector<char>(at(sphere.n_faces()), 0));
+        Choosing of(std::move(sphere), faces, alpha);
+        of.reference = reference::reference_of(of.mesh);
+        const reference::CrossField cross_field(of.mesh);
+        const auto error = [&](const Chosen &chosen) {
+            std::vector<geometry::Quad> quads;
+            const Replacement &taken = chosen.evaluation->replacement;
+            for (const auto &q : taken.filling.quads) {
+                quads.push_back({});
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const auto v = at(q[k]);
+                    const OpenMesh::Vec3d p = v < taken.window.loop.size()
+                                                  ? of.mesh.point(taken.window.loop[v])
+                                                  : taken.points[v - taken.window.loop.size()];
+                    quads.back()[k] = {p[0], p[1], p[2]};
+                }
+            }
+            return cross_field.alignment_error(quads);
+        };
+        const Chosen any = of.run();
+        of.reference.cross_field = &cross_field;
+        const Chosen along = of.run();
+        ASSERT_TRUE(any.evaluation && along.evaluation);
+        sum += error(any);
+        sum_along += error(along);
+    }
+    EXPECT_LT(sum_along, 0.95 * sum);
 }
 
 TEST(Choice, SaysWhatWasInTheWay) {
