@@ -19,9 +19,9 @@ std::vector<char> fixed_in(const fill::Filling &filling) {
     return fixed;
 }
 
-// Of a corner, over the wanted area of its face, that the smallest angles may cost. With .005, which does where
-// nothing is said of sizes, faces shrink to 2^-7.6 of what is wanted; with .3 the time step at alpha = 1 to .63,
-// with .4 to .8, with .5 to .9 of what it was, but then a third more singular vertices are needed.
+// Of a corner, over the wanted area of its face, that the smallest angles may cost. With .005, which does
+// where nothing is said of sizes, faces shrink to 2^-7.6 of what is wanted; with .3 the time step at alpha =
+// 1 to .63, with .4 to .8, with .5 to .9 of what it was, but then a third more singular vertices are needed.
 constexpr double least_area = 0.4;
 
 // In a chart sizes count and shapes are distorted: they come right on the surface. There wanted areas are
