@@ -14,8 +14,11 @@ namespace {
 // quarter of the area and a growth from face to face of less than 1.3 at alpha = 4.
 constexpr double transition = 0.5;
 constexpr double points_per_face = 4; // of the lattice: fewer points than faces with their corners
-constexpr int smoothings =
-    6; // of the areas that are there: what one small face among large ones is not to rule
+constexpr double least_points = 1000; // cheap for any patch
+// A patch so thin that it takes more of them goes without a lattice.
+constexpr double most_points_per_face = 64;
+// Of the areas that are there: one small face among large ones is not to rule.
+constexpr int smoothings = 6;
 
 double area(const geometry::Quad &quad) { return std::max(geometry::area_vector(quad).norm(), 1e-300); }
 
@@ -109,6 +112,9 @@ void Sizes::make_lattice() {
     const Eigen::Vector3d extent = high - low;
     spacing_ =
         std::sqrt(extent.x() * extent.y() / (points_per_face * static_cast<double>(log_areas_.size())));
+    const double points = (extent.x() / spacing_ + 2) * (extent.y() / spacing_ + 2);
+    if (!(points <= most_points_per_face * static_cast<double>(log_areas_.size()) + least_points))
+        return; // nor if it is a line
     columns_ = static_cast<int>(extent.x() / spacing_) + 2;
     rows_ = static_cast<int>(extent.y() / spacing_) + 2;
     origin_ = low;

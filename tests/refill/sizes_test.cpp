@@ -79,6 +79,13 @@ TEST(Sizes, AreTheSameInSpaceWithoutALattice) {
     }
 }
 
+TEST(Sizes, OfALineAreNumbersToo) {
+    Sheet sheet(4);
+    for (Eigen::Vector3d &p : sheet.points)
+        p.y() = 0;
+    EXPECT_TRUE(std::isfinite(sheet.sizes(2).at({2, 0, 0})));
+}
+
 TEST(Sizes, MayBeGiven) {
     const Sheet sheet(20);
     std::vector<double> areas; // from 1/4 on the left to 4 on the right
