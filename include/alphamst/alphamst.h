@@ -234,9 +234,9 @@ enum amst_option {
  * boundary included; those of AMST_ALL are the ones of the whole mesh.
  *
  * Sizes and time step are those of the faces of the patch. The area that amst_adapt and
- * amst_reduce_singularities want there is the area that was there (smoothed): at the
- * border as it is, inside that over a factor, so that the count is reached; in between
- * it changes over half the depth. AMST_ALL: the size error is the root mean square over
+ * amst_reduce_singularities want there is the area that was there (smoothed), or the
+ * square of the field "size": at the border as it is, inside that over a factor, so that the count is
+ * reached; in between it changes over half the depth. AMST_ALL: the size error is the root mean square over
  * the faces of all patches, the least area the smallest, the time step that of the whole
  * mesh. Without patches and for the other operations no sizes are wanted. A patch that is
  * left has after = before and the time step 1. */
@@ -606,19 +606,23 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
 
 /* Replace each patch by its alpha template: round(alpha * faces) faces, few singular vertices, the border
  * as it is. alpha > 0 is for the patches that have none of their own.
+ *
  * Sizes: at the border, whose edges stay, faces are wanted as large as they were; inside they are wanted
  * smaller or larger by one factor, so that the count is reached, with a smooth transition over half the depth
  * of the patch. Of fillings with few singular vertices the one is taken that has these sizes best and good
- * angles; none with a face below an eighth of what is wanted, unless there was one. At alpha 1 a patch keeps
- * its sizes; its singular vertices do not become more and its smallest scaled Jacobian does not fall. Where
- * nothing is gained it stays bit for bit, as a whole mesh does: a second equal call changes nothing. (A whole
- * mesh with ALIGN or a field "size" may move on.) patches NULL: the whole mesh, by windows: disks that the
- * library chooses, grows and moves over it. It gets round(alpha * faces) faces, or the result is
- * AMST_PARTIAL, and as few singular vertices as can be; its boundary stays. Same mesh, options and seed, same
- * result, on any number of threads. Curved meshes keep to their surface, see amst_mesh_set_surface: it and
- * what is filled anew stay within AMST_OPT_TOLERANCE of each other. What cannot be filled so, patches and the
- * last faces of a whole mesh, may be up to 3 times as far; a patch that cannot be filled so either is left
- * with AMST_ERR_GEOMETRY.
+ * angles; none with a face below an eighth of what is wanted, unless there was one.
+ *
+ * At alpha 1 a patch keeps its sizes; its singular vertices do not become more and its smallest scaled
+ * Jacobian does not fall. Where nothing is gained it stays bit for bit, and so does a whole mesh without
+ * ALIGN and without a field "size".
+ *
+ * patches NULL: the whole mesh, by windows: disks that the library chooses, grows and moves over it. It gets
+ * round(alpha * faces) faces, or the result is AMST_PARTIAL, and as few singular vertices as can be; its
+ * boundary stays. Same mesh, options and seed, same result, on any number of threads.
+ *
+ * Curved meshes keep to their surface, see amst_mesh_set_surface: it and what is filled anew stay within
+ * AMST_OPT_TOLERANCE of each other. What cannot be filled so, patches and the last faces of a whole mesh, may
+ * be up to 3 times as far; a patch that cannot be filled so either is left with AMST_ERR_GEOMETRY.
  *
  * What counts in amst_adapt (A), amst_reduce_singularities (R), amst_smooth (S) and amst_clean (C):
  *

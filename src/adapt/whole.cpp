@@ -60,8 +60,8 @@ private:
 
     // Else it stays bit for bit: who calls again gets what is there.
     bool gained(const Outcome &of) const {
-        constexpr double least_gain =
-            0.1; // of the smallest scaled Jacobian: less is what smoothing adds each time
+        // Of the smallest scaled Jacobian: less is what smoothing adds each time.
+        constexpr double least_gain = 0.1;
         return missing(of) == 0 && (of.singular_after < begin_.singular_before ||
                                     of.quality_after >= begin_.quality_before + least_gain);
     }

@@ -18,11 +18,6 @@ constexpr int steps = 6; // of Newton's method in each
 constexpr double squeezed = 0.05; // a corner, over the wanted area: below, Newton's steps are short
 constexpr int most_iterations = 12;
 
-double area_of(const std::array<int, 4> &q, const Points &points) {
-    const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(q[k])]; };
-    return quality::determinant(at(2) - at(0), at(3) - at(1)) / 2;
-}
-
 // The barrier is so steep next to a corner that is hardly positive that it would stay so: there the
 // regularised one first makes room.
 void open_squeezed(const Problem &problem, const FreeRegion &region, Points &positions) {
@@ -38,12 +33,17 @@ void open_squeezed(const Problem &problem, const FreeRegion &region, Points &pos
 
 } // namespace
 
+double signed_area(const std::array<int, 4> &quad, const Points &positions) {
+    const auto at = [&](std::size_t k) { return positions[static_cast<std::size_t>(quad[k])]; };
+    return quality::determinant(at(2) - at(0), at(3) - at(1)) / 2;
+}
+
 Embedding match_areas(Quads quads, std::span<const char> fixed, Points positions, const WantedAreas &wanted,
                       double weight, const EmbedOptions &options) {
     const Stars stars(quads, static_cast<int>(positions.size()));
     double total = 0;
     for (const auto &q : quads)
-        total += area_of(q, positions);
+        total += signed_area(q, positions);
     std::vector<double> areas(quads.size(), total);
     const Problem problem{quads, stars, fixed, areas};
     std::vector<int> all(quads.size());

@@ -7,6 +7,9 @@
 
 namespace alphamst::geometry {
 
+// Negative where the quad runs clockwise.
+double signed_area(const std::array<int, 4> &quad, const Points &positions);
+
 // [quad] Areas wanted of quads at these positions, whatever they sum up to.
 using WantedAreas = std::function<std::vector<double>(const Points &positions)>;
 

@@ -180,7 +180,6 @@ bool FillingChoice::add(PlacedFilling shape, std::vector<Ranked> &pool) {
         ++trace_.candidates;
         return trace_.refuse(Refused::shape);
     }
-    ranked.miss = std::abs(static_cast<std::int64_t>(filling.quads.size()) - goal_.faces);
     ranked.rank = score(ranked.singular, {cavity_.predicted_size_error(ranked.shape), 0}, most_quality);
     pool.push_back(std::move(ranked));
     return true;

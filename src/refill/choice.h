@@ -36,7 +36,7 @@ private:
     // A filling that is not laid out yet.
     struct Ranked {
         PlacedFilling shape;
-        std::int64_t singular = 0, miss = 0; // faces more or fewer than wanted
+        std::int64_t singular = 0;
         double rank = 0;
     };
 

@@ -5,7 +5,6 @@
 
 #include "geometry/match_areas.h"
 #include "index.h"
-#include "quality/corner.h"
 #include "reference/sizing_field.h"
 #include "refill/cavity.h"
 #include "smooth/shaping.h"
@@ -40,10 +39,6 @@ std::vector<geometry::Quad> quads_of(const fill::Filling &filling,
     for (const auto &q : filling.quads)
         quads.push_back({places[at(q[0])], places[at(q[1])], places[at(q[2])], places[at(q[3])]});
     return quads;
-}
-
-double area_of(const std::array<int, 4> &q, const geometry::Points &p) {
-    return quality::determinant(p[at(q[2])] - p[at(q[0])], p[at(q[3])] - p[at(q[1])]) / 2;
 }
 
 } // namespace
@@ -173,7 +168,8 @@ std::vector<double> Cavity::wanted_areas(const fill::Filling &filling,
         areas.push_back(sizes_->at((q[0] + q[1] + q[2] + q[3]) / 4));
         // The chart stretches areas.
         if (curved())
-            areas.back() *= area_of(filling.quads[f], positions) / geometry::area_vector(q).norm();
+            areas.back() *=
+                geometry::signed_area(filling.quads[f], positions) / geometry::area_vector(q).norm();
     }
     return areas;
 }
@@ -209,10 +205,7 @@ SizeError Cavity::size_error(const fill::Filling &filling, const CavityEmbedding
 }
 
 SizeError Cavity::old_size_error() const {
-    CavityEmbedding embedding;
-    embedding.on_surface = old_on_surface_;
-    embedding.flat = old_positions_;
-    return size_error(old, embedding);
+    return sizes_->error(curved() ? quads_of(old, old_on_surface_.points) : in_space(old, old_positions_));
 }
 
 } // namespace alphamst::refill

@@ -19,10 +19,10 @@ struct SizeError {
 
 class Sizes {
 public:
-    // Wanted is the area that faces have now, smoothed over neighbours: at the border, whose
-    // edges stay, as it is, and far from it divided by one number, so that the faces come to `faces`. In
-    // between it changes smoothly, over half of the greatest distance that a face has from the border.
-    // positions: of the vertices of the filling that is there, in space.
+    // Wanted is the area that faces have now, smoothed over neighbours, or what `areas`, if there are any,
+    // say for each of them: at the border, whose edges stay, as it is, and far from it divided by one number,
+    // so that the faces come to `faces`. In between it changes smoothly, over half of the greatest distance
+    // that a face has from the border. positions: of the vertices of the filling that is there, in space.
     Sizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions, double faces,
           std::vector<double> areas = {});
 
