@@ -26,9 +26,12 @@ struct Outcome {
     std::int64_t singular_before = 0, singular_after = 0, singular_bound = 0;
     std::int64_t candidate = 0; // 0: as predicted; n: geometry forced the n-th later filling
     double quality_before = 0, quality_after = 0, seconds = 0;
-    // Of area / wanted area: rms of log2, and the smallest. NaN: no sizes were wanted, or none are known.
+    double aspect_ratio_before = 0, aspect_ratio_after = 0; // the largest
+    // Of area / wanted area: rms of log2, and the smallest; the smallest of edge / root of the wanted area.
+    // NaN: no sizes were wanted, or none are known.
     double size_error_before = std::numeric_limits<double>::quiet_NaN(), size_error_after = size_error_before;
     double least_area_before = size_error_before, least_area_after = size_error_before;
+    double shortest_edge_before = size_error_before, shortest_edge_after = size_error_before;
     double time_step = 1; // see reference::time_step: after over before
     std::map<int, std::int64_t> valences_before, valences_after; // interior vertices of the mesh in the patch
 };

@@ -46,7 +46,9 @@ typedef struct {
     int64_t patches, delivered, left; /* delivered: with exactly the wanted faces */
     int64_t faces_before, faces_wanted, faces_after, singular_before, singular_after;
     double worst_before, worst_after, seconds;
-    double size, step; /* of a row: rms of log2(area / wanted area), time step after over before */
+    /* Of a row, after: rms of log2(area / wanted area), least area / wanted area, shortest edge / root of the
+     * wanted area, largest aspect ratio, and time step over that before. */
+    double size, area, edge, aspect, step;
 } totals;
 
 /* ------------------------------------------------------------------ errors */
@@ -245,17 +247,18 @@ static void add_patch(totals *sum, const amst_report *report, amst_id patch) {
 static void print_title(const char *title, const char *second) {
     printf("\n%s\n\n", title);
     printf("                      faces           singularities  scaled Jacobian\n");
-    printf("alpha  %-7s  before wanted delivered  before  after   before   after   size   step       ms  "
-           "status\n",
-           second);
+    printf(
+        "alpha  %-7s  before wanted delivered  before  after   before   after   size   area   edge aspect  "
+        " step       ms  status\n",
+        second);
 }
 
 static void print_row(double alpha, const char *second, const totals *row, const char *status) {
     printf("%5.1f  %-7s  %6" PRId64 " %6" PRId64 " %9" PRId64 "  %6" PRId64 " %6" PRId64
-           "   %6.3f  %6.3f  %5.2f  %5.2f  %7.1f  %s\n",
+           "   %6.3f  %6.3f  %5.2f  %5.2f  %5.2f  %5.2f  %5.2f  %7.1f  %s\n",
            alpha, second, row->faces_before, row->faces_wanted, row->faces_after, row->singular_before,
-           row->singular_after, row->worst_before, row->worst_after, row->size, row->step, 1e3 * row->seconds,
-           status);
+           row->singular_after, row->worst_before, row->worst_after, row->size, row->area, row->edge,
+           row->aspect, row->step, 1e3 * row->seconds, status);
 }
 
 static void print_totals(const totals *sum) {
@@ -279,12 +282,15 @@ static void add_totals(totals *sum, const totals *row) {
 }
 
 static totals no_rows(void) {
-    totals none = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 1};
+    totals none = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 1};
     return none;
 }
 
 static void get_sizes(totals *row, const amst_report *report, amst_id patch) {
     row->size = get_real(report, patch, AMST_RESULT_SIZE_ERROR_AFTER);
+    row->area = get_real(report, patch, AMST_RESULT_LEAST_AREA_AFTER);
+    row->edge = get_real(report, patch, AMST_RESULT_SHORTEST_EDGE_AFTER);
+    row->aspect = get_real(report, patch, AMST_RESULT_ASPECT_RATIO_AFTER);
     row->step = get_real(report, patch, AMST_RESULT_TIME_STEP);
 }
 

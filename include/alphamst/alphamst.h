@@ -233,13 +233,15 @@ enum amst_option {
  * singularities of a patch are the singular vertices of the mesh in it, its
  * boundary included; those of AMST_ALL are the ones of the whole mesh.
  *
- * Sizes and time step are those of the faces of the patch. The area that amst_adapt and
+ * Sizes, aspect ratio and time step are those of the faces of the patch. The area that amst_adapt and
  * amst_reduce_singularities want there is the area that was there (smoothed), or the
  * square of the field "size": at the border as it is, inside that over a factor, so that the count is
  * reached; in between it changes over half the depth. AMST_ALL: the size error is the root mean square over
- * the faces of all patches, the least area the smallest, the time step that of the whole
- * mesh. Without patches and for the other operations no sizes are wanted. A patch that is
- * left has after = before and the time step 1. */
+ * the faces of all patches, the least area and the shortest edge the smallest, the aspect ratio the largest,
+ * the time step that of the whole mesh. Without patches the wanted area is the square of the field "size",
+ * or else in a plane the area that was there (smoothed), on a surface what its curvature asks for; all times
+ * one factor, so that the mesh as it was comes to the wanted count. The other operations, and
+ * AMST_OPT_STRATEGY 1, want no sizes. A patch that is left has after = before and the time step 1. */
 enum amst_result {
     AMST_RESULT_INVALID = -1,
     AMST_RESULT_STATUS = 0, /* amst_status of the patch; of AMST_ALL: of the call */
@@ -259,7 +261,11 @@ enum amst_result {
     AMST_RESULT_SIZE_ERROR_AFTER = 1005,
     AMST_RESULT_LEAST_AREA_BEFORE = 1006, /* smallest area / wanted area; NaN likewise */
     AMST_RESULT_LEAST_AREA_AFTER = 1007,
-    AMST_RESULT_TIME_STEP = 1008, /* smallest area / perimeter of a face, after over before */
+    AMST_RESULT_TIME_STEP = 1008,            /* smallest area / perimeter of a face, after over before */
+    AMST_RESULT_SHORTEST_EDGE_BEFORE = 1009, /* smallest edge / root of the area wanted there; NaN likewise */
+    AMST_RESULT_SHORTEST_EDGE_AFTER = 1010,
+    AMST_RESULT_ASPECT_RATIO_BEFORE = 1011, /* largest AMST_METRIC_ASPECT_RATIO */
+    AMST_RESULT_ASPECT_RATIO_AFTER = 1012,
     AMST_RESULT_MAX = 0x7fffffff
 };
 

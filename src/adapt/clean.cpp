@@ -69,6 +69,7 @@ Outcome clean(mesh::QuadMesh &mesh, const Settings &settings, const Progress &pr
     Outcome outcome;
     outcome.faces_before = outcome.faces_wanted = mesh.n_faces();
     outcome.quality_before = reference::least_quality(mesh);
+    outcome.aspect_ratio_before = reference::largest_aspect_ratio(mesh);
     reference::count(mesh, outcome.valences_before, outcome.singular_before);
     // Each pass goes over all vertices; what one repair makes possible for another waits for the next.
     const std::int64_t first = std::max<std::int64_t>(1, bad_count(outcome.valences_before));
@@ -87,6 +88,7 @@ Outcome clean(mesh::QuadMesh &mesh, const Settings &settings, const Progress &pr
     progress(1, "clean");
     outcome.faces_after = mesh.n_faces();
     outcome.quality_after = reference::least_quality(mesh);
+    outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh);
     reference::count(mesh, outcome.valences_after, outcome.singular_after);
     outcome.singular_bound = 0;
     if (bad_count(outcome.valences_after) > 0) {

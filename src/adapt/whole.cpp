@@ -9,6 +9,7 @@
 #include "adapt/schedule.h"
 #include "index.h"
 #include "reference/feature_line.h"
+#include "reference/size_error.h"
 #include "reference/statistics.h"
 #include "refill/patch.h"
 
@@ -69,7 +70,11 @@ private:
     Outcome search() {
         reference::count(mesh_, begin_.valences_before, begin_.singular_before);
         begin_.quality_before = reference::least_quality(mesh_);
-        reference::reference_of(mesh_); // which gives a curved mesh its surface
+        begin_.aspect_ratio_before = begin_.aspect_ratio_after = reference::largest_aspect_ratio(mesh_);
+        const reference::Reference reference =
+            reference::reference_of(mesh_); // gives a curved mesh its surface
+        sizes_.emplace(mesh_, reference, begin_.faces_wanted);
+        reference::tell_sizes_before(sizes_->error(mesh_, reference.surface_triangles), begin_);
         if (settings_.align && mesh_.surface)
             cross_field_.emplace(mesh_);
         chord_prepass(mesh_, begin_.faces_wanted, settings_, tell_);
@@ -99,7 +104,7 @@ private:
         return outcome;
     }
 
-    Outcome attempt(mesh::QuadMesh &tried, std::optional<double> room) const {
+    Outcome attempt(mesh::QuadMesh &tried, std::optional<double> room) {
         reference::Reference reference = reference::reference_of(tried);
         if (reference.surface)
             reference.surface_distance = reference::surface_distance_of(
@@ -109,6 +114,8 @@ private:
         result.faces_after = tried.n_faces();
         reference::count(tried, result.valences_after, result.singular_after);
         result.quality_after = reference::least_quality(tried);
+        result.aspect_ratio_after = reference::largest_aspect_ratio(tried);
+        reference::tell_sizes_after(sizes_->error(tried, std::move(reference.surface_triangles)), result);
         return result;
     }
 
@@ -126,7 +133,8 @@ private:
     const Settings &settings_;
     const Progress tell_;
     std::optional<reference::CrossField> cross_field_;
-    Outcome begin_; // what there was
+    std::optional<reference::WholeSizes> sizes_; // that the mesh at first is wanted to get
+    Outcome begin_;                              // what there was
 };
 
 } // namespace

@@ -39,13 +39,18 @@ Report::Row row_of(const Outcome &outcome, bool exact) {
     row.size_error_after = outcome.size_error_after;
     row.least_area_before = outcome.least_area_before;
     row.least_area_after = outcome.least_area_after;
+    row.shortest_edge_before = outcome.shortest_edge_before;
+    row.shortest_edge_after = outcome.shortest_edge_after;
+    row.aspect_ratio_before = outcome.aspect_ratio_before;
+    row.aspect_ratio_after = outcome.aspect_ratio_after;
     row.time_step = outcome.time_step;
     row.valences_before = outcome.valences_before;
     row.valences_after = outcome.valences_after;
     return row;
 }
 
-// Counts are added up, qualities and areas are the smallest, the candidate is the latest.
+// Counts are added up, qualities, areas and edges are the smallest, aspect ratios the largest, the candidate
+// is the latest.
 void include(Report::Row &all, const Report::Row &row, bool first) {
     if (row.status != AMST_OK)
         all.status = AMST_PARTIAL;
@@ -56,9 +61,13 @@ void include(Report::Row &all, const Report::Row &row, bool first) {
     all.candidate = std::max(all.candidate, row.candidate);
     all.quality_before = first ? row.quality_before : std::min(all.quality_before, row.quality_before);
     all.quality_after = first ? row.quality_after : std::min(all.quality_after, row.quality_after);
+    all.aspect_ratio_before = std::max(all.aspect_ratio_before, row.aspect_ratio_before);
+    all.aspect_ratio_after = std::max(all.aspect_ratio_after, row.aspect_ratio_after);
     // These pass over what is NaN.
     all.least_area_before = std::fmin(all.least_area_before, row.least_area_before);
     all.least_area_after = std::fmin(all.least_area_after, row.least_area_after);
+    all.shortest_edge_before = std::fmin(all.shortest_edge_before, row.shortest_edge_before);
+    all.shortest_edge_after = std::fmin(all.shortest_edge_after, row.shortest_edge_after);
 }
 
 // Root mean square over the faces of the patches that have such an error; NaN if none has.

@@ -74,6 +74,8 @@ struct Report {
         double size_error_before = std::numeric_limits<double>::quiet_NaN();
         double size_error_after = size_error_before;
         double least_area_before = size_error_before, least_area_after = size_error_before;
+        double shortest_edge_before = size_error_before, shortest_edge_after = size_error_before;
+        double aspect_ratio_before = 0, aspect_ratio_after = 0;
         double time_step = 1;
         std::map<int, std::int64_t> valences_before, valences_after;
     };

@@ -69,6 +69,14 @@ double real(const Report::Row &row, std::int32_t key) {
         return row.least_area_after;
     case AMST_RESULT_TIME_STEP:
         return row.time_step;
+    case AMST_RESULT_SHORTEST_EDGE_BEFORE:
+        return row.shortest_edge_before;
+    case AMST_RESULT_SHORTEST_EDGE_AFTER:
+        return row.shortest_edge_after;
+    case AMST_RESULT_ASPECT_RATIO_BEFORE:
+        return row.aspect_ratio_before;
+    case AMST_RESULT_ASPECT_RATIO_AFTER:
+        return row.aspect_ratio_after;
     default:
         no_result(key);
     }

@@ -95,6 +95,7 @@ void keep_surface(mesh::QuadMesh &mesh) {
 Account::Account(const mesh::QuadMesh &mesh) {
     outcome_.faces_before = mesh.n_faces();
     outcome_.quality_before = reference::least_quality(mesh);
+    outcome_.aspect_ratio_before = reference::largest_aspect_ratio(mesh);
     reference::count(mesh, outcome_.valences_before, outcome_.singular_before);
 }
 
@@ -102,6 +103,7 @@ Outcome Account::close(const mesh::QuadMesh &mesh, std::int64_t wanted) {
     outcome_.faces_wanted = wanted;
     outcome_.faces_after = mesh.n_faces();
     outcome_.quality_after = reference::least_quality(mesh);
+    outcome_.aspect_ratio_after = reference::largest_aspect_ratio(mesh);
     reference::count(mesh, outcome_.valences_after, outcome_.singular_after);
     outcome_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     return std::move(outcome_);

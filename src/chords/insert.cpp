@@ -56,6 +56,8 @@ Outcome insert_rings(mesh::QuadMesh &mesh, Patch &patch, int n, const Settings &
     outcome.faces_before = outcome.faces_after = outcome.faces_wanted =
         static_cast<std::int64_t>(patch.faces.size());
     outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
+    outcome.aspect_ratio_before = outcome.aspect_ratio_after =
+        reference::largest_aspect_ratio(mesh, patch.faces);
     const double time_step = reference::time_step(mesh, patch.faces);
     try {
         refill::Goal goal;
@@ -81,6 +83,7 @@ Outcome insert_rings(mesh::QuadMesh &mesh, Patch &patch, int n, const Settings &
         outcome.valences_after = cavity.valences(shape.filling);
         outcome.singular_after = reference::singular(outcome.valences_after);
         outcome.quality_after = reference::least_quality(mesh, patch.faces);
+        outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh, patch.faces);
         outcome.time_step = reference::time_step_ratio(time_step, reference::time_step(mesh, patch.faces));
     } catch (const refill::Refusal &refusal) {
         outcome.fault = refusal.fault;

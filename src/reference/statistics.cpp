@@ -25,6 +25,11 @@ double scaled_jacobian(const geometry::Quad &quad) {
     return quality::measure(quality::Metric::scaled_jacobian, quad, 1);
 }
 
+// So that the least of it belongs to the largest one.
+double minus_aspect_ratio(const geometry::Quad &quad) {
+    return -quality::measure(quality::Metric::aspect_ratio, quad, 1);
+}
+
 double area_over_perimeter(const geometry::Quad &quad) {
     double perimeter = 0;
     for (std::size_t k = 0; k < 4; ++k)
@@ -86,6 +91,18 @@ double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces) {
 double least_quality(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
                      std::span<const OpenMesh::Vec3d> points) {
     return least_of(mesh, loop, quads, points, scaled_jacobian);
+}
+
+// 0 - x, as -0 is not what no faces have.
+double largest_aspect_ratio(const mesh::QuadMesh &mesh) { return 0 - least_of(mesh, minus_aspect_ratio); }
+
+double largest_aspect_ratio(const mesh::QuadMesh &mesh, std::span<const int> faces) {
+    return 0 - least_of(mesh, faces, minus_aspect_ratio);
+}
+
+double largest_aspect_ratio(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
+                            std::span<const OpenMesh::Vec3d> points) {
+    return 0 - least_of(mesh, loop, quads, points, minus_aspect_ratio);
 }
 
 double time_step(const mesh::QuadMesh &mesh) { return least_of(mesh, area_over_perimeter); }

@@ -27,6 +27,12 @@ double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces);
 double least_quality(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
                      std::span<const OpenMesh::Vec3d> points);
 
+// The largest aspect ratio as quality::measure has it. 0 where there are no faces.
+double largest_aspect_ratio(const mesh::QuadMesh &mesh);
+double largest_aspect_ratio(const mesh::QuadMesh &mesh, std::span<const int> faces);
+double largest_aspect_ratio(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
+                            std::span<const OpenMesh::Vec3d> points);
+
 // What an explicit time step may be as long as, but for a factor: the smallest area over perimeter of the
 // faces. 0 where there are no faces.
 double time_step(const mesh::QuadMesh &mesh);

@@ -51,8 +51,8 @@ void tell_taken(const mesh::QuadMesh &mesh, const Patch &patch, const Replacemen
     const auto &quads = taken.filling.quads;
     outcome.faces_after = static_cast<std::int64_t>(quads.size());
     outcome.quality_after = reference::least_quality(mesh, loop, quads, taken.points);
-    outcome.size_error_after = sizes.rms;
-    outcome.least_area_after = std::exp2(sizes.least);
+    outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh, loop, quads, taken.points);
+    reference::tell_sizes_after(sizes, outcome);
     outcome.time_step = reference::time_step_ratio(reference::time_step(mesh, patch.faces),
                                                    reference::time_step(mesh, loop, quads, taken.points));
 }
@@ -72,15 +72,15 @@ Proposal propose(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goa
     sized.sizes = true;
     outcome.faces_before = outcome.faces_after = static_cast<std::int64_t>(patch.faces.size());
     outcome.faces_wanted = goal.faces;
+    outcome.aspect_ratio_before = outcome.aspect_ratio_after =
+        reference::largest_aspect_ratio(mesh, patch.faces);
     try {
         const Cavity cavity(mesh, patch, sized, settings, reference);
         outcome.valences_before = outcome.valences_after = cavity.valences(cavity.old);
         outcome.singular_before = outcome.singular_after = singular_of(outcome.valences_before);
         outcome.singular_bound = bound(cavity, mesh);
         outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
-        const SizeError old = cavity.old_size_error();
-        outcome.size_error_before = outcome.size_error_after = old.rms;
-        outcome.least_area_before = outcome.least_area_after = std::exp2(old.least);
+        reference::tell_sizes_before(cavity.old_size_error(), outcome);
         const BufferRing buffer(mesh, cavity, buffer_of(mesh, cavity), true);
         Evaluator evaluator(mesh, cavity, buffer, settings, proposal.trace);
         Chosen best = FillingChoice(cavity, evaluator, proposal.trace, sized, settings).run();

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "index.h"
 
@@ -136,14 +134,11 @@ double Sizes::log_at(const Eigen::Vector3d &place) const {
 }
 
 SizeError Sizes::error(std::span<const geometry::Quad> quads) const {
-    SizeError error{0, std::numeric_limits<double>::infinity()};
-    for (const geometry::Quad &quad : quads) {
-        const double e = (std::log(area(quad)) - log_at(centre(quad))) / std::numbers::ln2;
-        error.rms += e * e;
-        error.least = std::min(error.least, e);
-    }
-    error.rms = std::sqrt(error.rms / static_cast<double>(quads.size()));
-    return error;
+    std::vector<double> log_wanted;
+    log_wanted.reserve(quads.size());
+    for (const geometry::Quad &quad : quads)
+        log_wanted.push_back(log_at(centre(quad)));
+    return reference::size_error(quads, log_wanted);
 }
 
 } // namespace alphamst::refill

@@ -9,13 +9,11 @@
 #include "fill/filling.h"
 #include "geometry/quad.h"
 #include "reference/locate.h"
+#include "reference/size_error.h"
 
 namespace alphamst::refill {
 
-// Of log2(area / wanted area). least: of the face that is smallest by that.
-struct SizeError {
-    double rms = 0, least = 0;
-};
+using reference::SizeError;
 
 class Sizes {
 public:

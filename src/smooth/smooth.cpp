@@ -136,6 +136,7 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     outcome.valences_after = outcome.valences_before;
     outcome.singular_after = outcome.singular_bound = outcome.singular_before;
     outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, faces);
+    outcome.aspect_ratio_before = outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh, faces);
     if (faces.empty())
         return outcome;
     const double time_step = reference::time_step(mesh, faces);
@@ -147,6 +148,7 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     else
         smooth_on_surface(mesh, part, reference, settings);
     outcome.quality_after = reference::least_quality(mesh, faces);
+    outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh, faces);
     outcome.time_step = reference::time_step_ratio(time_step, reference::time_step(mesh, faces));
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;

@@ -16,9 +16,14 @@ static const int32_t real_keys[] = {AMST_RESULT_ALPHA,
                                     AMST_RESULT_SIZE_ERROR_AFTER,
                                     AMST_RESULT_LEAST_AREA_BEFORE,
                                     AMST_RESULT_LEAST_AREA_AFTER,
-                                    AMST_RESULT_TIME_STEP};
-static const int32_t size_keys[] = {AMST_RESULT_SIZE_ERROR_BEFORE, AMST_RESULT_SIZE_ERROR_AFTER,
-                                    AMST_RESULT_LEAST_AREA_BEFORE, AMST_RESULT_LEAST_AREA_AFTER};
+                                    AMST_RESULT_TIME_STEP,
+                                    AMST_RESULT_SHORTEST_EDGE_BEFORE,
+                                    AMST_RESULT_SHORTEST_EDGE_AFTER,
+                                    AMST_RESULT_ASPECT_RATIO_BEFORE,
+                                    AMST_RESULT_ASPECT_RATIO_AFTER};
+static const int32_t size_keys[] = {AMST_RESULT_SIZE_ERROR_BEFORE,    AMST_RESULT_SIZE_ERROR_AFTER,
+                                    AMST_RESULT_LEAST_AREA_BEFORE,    AMST_RESULT_LEAST_AREA_AFTER,
+                                    AMST_RESULT_SHORTEST_EDGE_BEFORE, AMST_RESULT_SHORTEST_EDGE_AFTER};
 
 static void it_outlives_mesh_and_patches(void **state) {
     (void)state;
@@ -125,7 +130,7 @@ static void sizes_of_patches_are_summed_up(void **state) {
     amst_patches *set = three_patches(mesh);
     amst_report *report = NULL;
     const double whole = step_of(mesh, NULL, 0);
-    double before[2], squares = 0, least = HUGE_VAL;
+    double before[2], squares = 0, least = HUGE_VAL, edge = HUGE_VAL, aspect = 0;
     for (amst_id p = 0; p < 2; ++p)
         before[p] = step_of(mesh, set, p);
     assert_int_equal(amst_adapt(mesh, set, 2, NULL, &report), AMST_PARTIAL);
@@ -134,6 +139,8 @@ static void sizes_of_patches_are_summed_up(void **state) {
         assert_true(error > 0 && error < real_result(report, p, AMST_RESULT_SIZE_ERROR_BEFORE));
         squares += error * error * (double)result(report, p, AMST_RESULT_FACES_AFTER);
         least = fmin(least, real_result(report, p, AMST_RESULT_LEAST_AREA_AFTER));
+        edge = fmin(edge, real_result(report, p, AMST_RESULT_SHORTEST_EDGE_AFTER));
+        aspect = fmax(aspect, real_result(report, p, AMST_RESULT_ASPECT_RATIO_AFTER));
         assert_true(real_result(report, p, AMST_RESULT_LEAST_AREA_BEFORE) > 0.9); /* all are too large */
         assert_true(fabs(real_result(report, p, AMST_RESULT_TIME_STEP) - step_of(mesh, set, p) / before[p]) <
                     1e-9);
@@ -146,6 +153,11 @@ static void sizes_of_patches_are_summed_up(void **state) {
     assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_SIZE_ERROR_AFTER) - sqrt(squares / faces)) <
                 1e-12);
     assert_true(real_result(report, AMST_ALL, AMST_RESULT_LEAST_AREA_AFTER) == least);
+    assert_true(real_result(report, AMST_ALL, AMST_RESULT_SHORTEST_EDGE_AFTER) == edge);
+    assert_true(edge > 0.2 && edge < 1);
+    assert_true(real_result(report, AMST_ALL, AMST_RESULT_ASPECT_RATIO_AFTER) == aspect);
+    assert_true(fabs(real_result(report, 2, AMST_RESULT_ASPECT_RATIO_AFTER) - 1) < 1e-12);
+    assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_ASPECT_RATIO_BEFORE) - 1) < 1e-12);
     assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_TIME_STEP) - step_of(mesh, NULL, 0) / whole) <
                 1e-9);
     amst_report_destroy(report);
@@ -154,12 +166,73 @@ static void sizes_of_patches_are_summed_up(void **state) {
     amst_context_destroy(ctx);
 }
 
-/* Other operations, and those without patches, want no sizes, but tell the time step. */
+/* Largest aspect ratio of the mesh. */
+static double aspect_of(const amst_mesh *mesh) {
+    amst_summary summary;
+    must(amst_mesh_get_summary(mesh, AMST_METRIC_ASPECT_RATIO, &summary));
+    return summary.max;
+}
+
+/* Without patches they are those of the whole mesh, whose wanted sizes do not change. */
+static void sizes_of_a_whole_mesh(void **state) {
+    (void)state;
+    const double alphas[] = {1, 2, 0.5};
+    amst_context *ctx = new_context(0);
+    for (int k = 0; k < 4; ++k) { /* the last time fewer singular vertices */
+        amst_mesh *mesh = new_disturbed(ctx, 16);
+        amst_report *report = NULL;
+        const double step = step_of(mesh, NULL, 0), aspect = aspect_of(mesh);
+        assert_true((k < 3 ? amst_adapt(mesh, NULL, alphas[k], NULL, &report)
+                           : amst_reduce_singularities(mesh, NULL, NULL, &report)) >= 0);
+        for (size_t i = 0; i < sizeof real_keys / sizeof *real_keys; ++i)
+            assert_true(isfinite(real_result(report, AMST_ALL, real_keys[i])));
+        const double error = real_result(report, AMST_ALL, AMST_RESULT_SIZE_ERROR_AFTER);
+        const double least = real_result(report, AMST_ALL, AMST_RESULT_LEAST_AREA_AFTER);
+        const double edge = real_result(report, AMST_ALL, AMST_RESULT_SHORTEST_EDGE_AFTER);
+        assert_true(error >= 0 && error < 1);
+        assert_true(least > 0 && least <= 1.5);
+        assert_true(edge > 0 && edge <= 1.5);
+        assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_ASPECT_RATIO_BEFORE) - aspect) < 1e-12);
+        assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_ASPECT_RATIO_AFTER) - aspect_of(mesh)) <
+                    1e-12);
+        assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_TIME_STEP) -
+                         step_of(mesh, NULL, 0) / step) < 1e-9);
+        if (k == 1) /* what was there is twice as large as what is wanted */
+            assert_true(real_result(report, AMST_ALL, AMST_RESULT_SIZE_ERROR_BEFORE) > 0.9);
+        amst_report_destroy(report);
+        amst_mesh_destroy(mesh);
+    }
+    amst_context_destroy(ctx);
+}
+
+/* A mesh that stays as it is has after = before. */
+static void sizes_of_a_whole_mesh_that_stays(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, 6, 6);
+    amst_report *report = NULL;
+    must(amst_adapt(mesh, NULL, 1, NULL, &report));
+    for (size_t k = 0; k < sizeof size_keys / sizeof *size_keys; k += 2)
+        assert_true(real_result(report, AMST_ALL, size_keys[k]) ==
+                    real_result(report, AMST_ALL, size_keys[k + 1]));
+    assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_SIZE_ERROR_AFTER)) < 1e-9);
+    assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_SHORTEST_EDGE_AFTER) - 1) < 1e-9);
+    assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_ASPECT_RATIO_AFTER) - 1) < 1e-12);
+    amst_report_destroy(report);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
+/* Other operations want no sizes, but tell aspect ratio and time step. */
 static void without_wanted_sizes_they_are_nan(void **state) {
     (void)state;
     amst_context *ctx = new_context(0);
+    amst_options *chords = NULL;
+    must(amst_options_create(&chords));
+    must(amst_options_set_int(chords, AMST_OPT_STRATEGY, 1));
     for (int operation = 0; operation < 5; ++operation) {
         amst_mesh *mesh = operation == 1 ? new_grid(ctx, 0, 16, 16) : new_disturbed(ctx, 16);
+        const double aspect = aspect_of(mesh);
         amst_patches *set = NULL;
         amst_report *report = NULL;
         must(amst_patches_create(mesh, NULL, &set));
@@ -171,15 +244,21 @@ static void without_wanted_sizes_they_are_nan(void **state) {
         const double whole = step_of(mesh, NULL, 0), part = operation < 2 ? step_of(mesh, set, 0) : 1;
         const amst_status status = operation == 0   ? amst_smooth(mesh, set, NULL, &report)
                                    : operation == 1 ? amst_insert_chords(mesh, set, 1, NULL, &report)
-                                   : operation == 2 ? amst_adapt(mesh, NULL, 1.5, NULL, &report)
-                                   : operation == 3 ? amst_reduce_singularities(mesh, NULL, NULL, &report)
+                                   : operation == 2 ? amst_smooth(mesh, NULL, NULL, &report)
+                                   : operation == 3 ? amst_adapt(mesh, NULL, 1.5, chords, &report)
                                                     : amst_clean(mesh, NULL, &report);
         assert_true(status >= 0);
         for (size_t k = 0; k < sizeof size_keys / sizeof *size_keys; ++k)
             assert_true(isnan(real_result(report, AMST_ALL, size_keys[k])));
         assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_TIME_STEP) -
                          step_of(mesh, NULL, 0) / whole) < 1e-9);
-        if (operation < 2) {
+        if (operation >= 2) {
+            assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_ASPECT_RATIO_BEFORE) - aspect) <
+                        1e-12);
+            assert_true(fabs(real_result(report, AMST_ALL, AMST_RESULT_ASPECT_RATIO_AFTER) -
+                             aspect_of(mesh)) < 1e-12);
+        } else {
+            assert_true(real_result(report, 0, AMST_RESULT_ASPECT_RATIO_AFTER) >= 1);
             assert_true(isnan(real_result(report, 0, AMST_RESULT_SIZE_ERROR_AFTER)));
             assert_true(real_result(report, 0, AMST_RESULT_TIME_STEP) != 1);
             assert_true(fabs(real_result(report, 0, AMST_RESULT_TIME_STEP) - step_of(mesh, set, 0) / part) <
@@ -189,6 +268,7 @@ static void without_wanted_sizes_they_are_nan(void **state) {
         amst_patches_destroy(set);
         amst_mesh_destroy(mesh);
     }
+    amst_options_destroy(chords);
     amst_context_destroy(ctx);
 }
 
@@ -232,6 +312,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(it_outlives_mesh_and_patches),
         cmocka_unit_test(sizes_of_patches_are_summed_up),
+        cmocka_unit_test(sizes_of_a_whole_mesh),
+        cmocka_unit_test(sizes_of_a_whole_mesh_that_stays),
         cmocka_unit_test(without_wanted_sizes_they_are_nan),
         cmocka_unit_test(edge_origins_fit_vertex_origins),
     };

@@ -44,6 +44,24 @@ TEST(Statistics, TheTimeStepIsThatOfTheSmallestFace) {
     EXPECT_EQ(time_step(mesh, std::vector<int>{}), 0);
 }
 
+TEST(Statistics, TheAspectRatioIsTheLargest) {
+    mesh::Grid grid = mesh::plane(3, 2);
+    EXPECT_NEAR(largest_aspect_ratio(grid.build()), 1, 1e-12);
+    grid.points[3] = 0.5; // vertex 1, as above: face 1 has the longest edges
+    const mesh::QuadMesh mesh = grid.build();
+    const double slanted = std::sqrt(1.25);
+    EXPECT_NEAR(largest_aspect_ratio(mesh, std::vector{0, 2}), slanted * (2.5 + slanted) / 3, 1e-12);
+    const double wide = 1.5 * (3.5 + slanted) / 5;
+    EXPECT_NEAR(largest_aspect_ratio(mesh, std::vector{1, 2}), wide, 1e-12);
+    EXPECT_NEAR(largest_aspect_ratio(mesh), wide, 1e-12);
+    const std::vector<int> loop{2, 3, 7, 6};
+    const std::vector<std::array<int, 4>> quads{{0, 1, 4, 5}, {5, 4, 2, 3}};
+    const std::vector<OpenMesh::Vec3d> points{{3, 0.25, 0}, {2, 0.25, 0}};
+    EXPECT_NEAR(largest_aspect_ratio(mesh, loop, quads, points), 2.5, 1e-12);
+    EXPECT_EQ(largest_aspect_ratio(mesh, std::vector<int>{}), 0);
+    EXPECT_FALSE(std::signbit(largest_aspect_ratio(mesh, std::vector<int>{})));
+}
+
 TEST(Statistics, AFaceThatIsAPointHasNoTimeStep) {
     const mesh::QuadMesh point = mesh::Grid{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 2, 3}}.build();
     EXPECT_EQ(time_step(point), 0);

@@ -92,17 +92,24 @@ TEST(Propose, TellsSizes) {
     EXPECT_NEAR(outcome.least_area_before, 1.2, 0.2); // next to the border; no face is too small
     EXPECT_GT(outcome.least_area_after, 0.125);
     EXPECT_LT(outcome.least_area_after, 1);
+    EXPECT_NEAR(outcome.shortest_edge_before, std::sqrt(outcome.least_area_before), 1e-9); // squares
+    EXPECT_GT(outcome.shortest_edge_after, 0.2);
+    EXPECT_LT(outcome.shortest_edge_after, 1);
+    EXPECT_NEAR(outcome.aspect_ratio_before, 1, 1e-12);
     const auto replaced = commit(of.mesh, proposal.replacement);
     EXPECT_NEAR(outcome.time_step,
                 reference::time_step(of.mesh, replaced.faces) / reference::time_step(before, of.patch.faces),
                 1e-12);
     EXPECT_LT(outcome.time_step, 0.8); // half the area, at best
+    EXPECT_NEAR(outcome.aspect_ratio_after, reference::largest_aspect_ratio(of.mesh, replaced.faces), 1e-12);
 }
 
 void expect_sizes_stay(const Outcome &outcome) {
     EXPECT_FALSE(std::isnan(outcome.size_error_before));
     EXPECT_EQ(outcome.size_error_after, outcome.size_error_before);
     EXPECT_EQ(outcome.least_area_after, outcome.least_area_before);
+    EXPECT_EQ(outcome.shortest_edge_after, outcome.shortest_edge_before);
+    EXPECT_EQ(outcome.aspect_ratio_after, outcome.aspect_ratio_before);
     EXPECT_EQ(outcome.time_step, 1);
 }
 
@@ -120,6 +127,9 @@ TEST(Propose, TellsTheOldSizesWhereThePatchIsLeft) {
     const Outcome apart = of.propose().outcome;
     EXPECT_EQ(apart.fault, Fault::patch);
     EXPECT_TRUE(std::isnan(apart.size_error_before) && std::isnan(apart.least_area_after));
+    EXPECT_TRUE(std::isnan(apart.shortest_edge_before));
+    EXPECT_NEAR(apart.aspect_ratio_before, 1, 1e-12);
+    EXPECT_EQ(apart.aspect_ratio_after, apart.aspect_ratio_before);
     EXPECT_EQ(apart.time_step, 1);
 }
 

@@ -109,6 +109,7 @@ TEST(Sizes, ErrorIsInPowersOfTwo) {
     const SizeError error = sizes.error(quads);
     EXPECT_NEAR(error.rms, std::sqrt(0.5), 1e-6);
     EXPECT_NEAR(error.least, -1, 1e-6);
+    EXPECT_NEAR(error.shortest_edge, 0.5, 1e-6);
 }
 
 } // namespace

@@ -163,6 +163,10 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_RESULT_LEAST_AREA_BEFORE = 1006
     integer(c_int32_t), parameter :: AMST_RESULT_LEAST_AREA_AFTER = 1007
     integer(c_int32_t), parameter :: AMST_RESULT_TIME_STEP = 1008
+    integer(c_int32_t), parameter :: AMST_RESULT_SHORTEST_EDGE_BEFORE = 1009
+    integer(c_int32_t), parameter :: AMST_RESULT_SHORTEST_EDGE_AFTER = 1010
+    integer(c_int32_t), parameter :: AMST_RESULT_ASPECT_RATIO_BEFORE = 1011
+    integer(c_int32_t), parameter :: AMST_RESULT_ASPECT_RATIO_AFTER = 1012
     integer(c_int32_t), parameter :: AMST_RESULT_MAX = 2147483647
 
     ! amst_log_level

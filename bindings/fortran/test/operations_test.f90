@@ -55,6 +55,11 @@ contains
         call claim(report%get_real(AMST_RESULT_LEAST_AREA_AFTER, 1) > 0.125_real64, 'least area after')
         call claim(report%get_real(AMST_RESULT_LEAST_AREA_BEFORE, 1) > 0.9_real64, 'least area before')
         call claim(report%get_real(AMST_RESULT_TIME_STEP) < 1, 'time step')
+        call claim(report%get_real(AMST_RESULT_SHORTEST_EDGE_AFTER, 1) > 0.2_real64, 'shortest edge after')
+        call claim(report%get_real(AMST_RESULT_SHORTEST_EDGE_BEFORE, 1) > 0.9_real64, 'shortest edge before')
+        call claim(abs(report%get_real(AMST_RESULT_ASPECT_RATIO_BEFORE) - 1) < 1e-12_real64, &
+            'aspect ratio before')
+        call claim(report%get_real(AMST_RESULT_ASPECT_RATIO_AFTER) > 1, 'aspect ratio after')
         call claim(report%valence(4, .false.) == 81, 'valence 4 before')
         call claim(report%valence(3, .true.) + report%valence(5, .true.) == singular, 'valences 3 and 5 after')
         call claim(report%valence(3, .false., 1) == 0, 'valence 3 before')

@@ -11,7 +11,11 @@ const result_keys = (status = AMST_RESULT_STATUS, faces_before = AMST_RESULT_FAC
                      size_error_before = AMST_RESULT_SIZE_ERROR_BEFORE,
                      size_error_after = AMST_RESULT_SIZE_ERROR_AFTER,
                      least_area_before = AMST_RESULT_LEAST_AREA_BEFORE,
-                     least_area_after = AMST_RESULT_LEAST_AREA_AFTER, time_step = AMST_RESULT_TIME_STEP)
+                     least_area_after = AMST_RESULT_LEAST_AREA_AFTER, time_step = AMST_RESULT_TIME_STEP,
+                     shortest_edge_before = AMST_RESULT_SHORTEST_EDGE_BEFORE,
+                     shortest_edge_after = AMST_RESULT_SHORTEST_EDGE_AFTER,
+                     aspect_ratio_before = AMST_RESULT_ASPECT_RATIO_BEFORE,
+                     aspect_ratio_after = AMST_RESULT_ASPECT_RATIO_AFTER)
 
 """
     report[key]
@@ -33,12 +37,15 @@ What an operation did, in all or to one patch; a `Report` outlives mesh and patc
 | `:size_error_before`, `:size_error_after` | root mean square of log2(area / wanted area); NaN if no sizes were wanted |
 | `:least_area_before`, `:least_area_after` | smallest area / wanted area; NaN likewise |
 | `:time_step` | smallest area / perimeter of a face, after over before |
+| `:shortest_edge_before`, `:shortest_edge_after` | smallest edge / root of the area wanted there; NaN likewise |
+| `:aspect_ratio_before`, `:aspect_ratio_after` | largest aspect ratio of a face |
 
 The first six rows are `Int64`, the others `Float64`. Over all patches counts are sums, singularities
-those of the whole mesh, qualities and areas the smallest, the size error is the root mean square over
-the faces of all patches and the time step that of the whole mesh; an operation without patches has only
-that. Sizes are wanted in patches that [`adapt!`](@ref) and [`reduce_singularities!`](@ref) fill: as they
-were at the border, and inside as the number of faces asks for.
+those of the whole mesh, qualities, areas and edges the smallest, aspect ratios the largest, the size error
+is the root mean square over the faces of all patches and the time step that of the whole mesh; an operation
+without patches has only that. Sizes are wanted where [`adapt!`](@ref) and [`reduce_singularities!`](@ref)
+fill: in patches as they were at the border, and inside as the number of faces asks for; without patches as
+they were, as the field `"size"` says or as the curvature asks for, times one factor.
 Throws `AlphaMSTError`: RANGE (patch), NOT_FOUND (number of a key that the library does not know).
 """
 mutable struct Report <: Handle{amst_report}

@@ -20,11 +20,15 @@
         @test 0 < at(:size_error_after) < 1
         @test 0.125 < at(:least_area_after) < at(:least_area_before)
         @test 0.1 < at(:time_step) < 1
-        numbers = [at(number) for number in [0:8; 1000:1002; 1004:1008]]
+        @test 0.2 < at(:shortest_edge_after) < at(:shortest_edge_before)
+        @test 1 ≈ at(:aspect_ratio_before) < at(:aspect_ratio_after) < 10
+        numbers = [at(number) for number in [0:8; 1000:1002; 1004:1012]]
         @test numbers == [at(key) for key in keys(AlphaMST.result_keys) if key !== :seconds]
     end
     @test report[:quality_after] ≈ quality_summary(mesh, :scaled_jacobian).min
-    @test isnan(adapt!(mesh, 1)[:size_error_after]) # without patches no sizes are wanted
+    whole = adapt!(mesh, 1)
+    @test 0 < whole[:least_area_after] <= 1.5 && 0 <= whole[:size_error_after] < 2
+    @test isnan(smooth!(mesh)[:size_error_after]) # which wants no sizes
     @test_throws ArgumentError report[:faces]
     @test refusal(() -> report[999]) == "AMST_ERR_NOT_FOUND"
     @test refusal(() -> report[1999]) == "AMST_ERR_NOT_FOUND"

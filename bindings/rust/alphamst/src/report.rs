@@ -46,6 +46,14 @@ enumeration! {
         LeastAreaAfter = AMST_RESULT_LEAST_AREA_AFTER,
         /// Real: [`Outcome::time_step`].
         TimeStep = AMST_RESULT_TIME_STEP,
+        /// Real: [`Outcome::shortest_edge_before`].
+        ShortestEdgeBefore = AMST_RESULT_SHORTEST_EDGE_BEFORE,
+        /// Real: [`Outcome::shortest_edge_after`].
+        ShortestEdgeAfter = AMST_RESULT_SHORTEST_EDGE_AFTER,
+        /// Real: [`Outcome::aspect_ratio_before`].
+        AspectRatioBefore = AMST_RESULT_ASPECT_RATIO_BEFORE,
+        /// Real: [`Outcome::aspect_ratio_after`].
+        AspectRatioAfter = AMST_RESULT_ASPECT_RATIO_AFTER,
     }
 }
 
@@ -237,9 +245,10 @@ results! {
     /// Seconds spent.
     seconds -> f64 = real(Seconds) "assert!(outcome.seconds() < 60.0);";
     /// Root mean square of log2(area / wanted area) of the faces before; NaN if no sizes were wanted. They
-    /// are in patches that [`Mesh::adapt`](crate::Mesh::adapt) and
-    /// [`Mesh::reduce_singularities`](crate::Mesh::reduce_singularities) fill: as they were at the border, and
-    /// inside as the number of faces asks for.
+    /// are where [`Mesh::adapt`](crate::Mesh::adapt) and
+    /// [`Mesh::reduce_singularities`](crate::Mesh::reduce_singularities) fill: in patches as they were at the
+    /// border, and inside as the number of faces asks for; without patches as they were, as the field `"size"`
+    /// says or as the curvature asks for, times one factor.
     size_error_before -> f64 = real(SizeErrorBefore) "assert!(outcome.size_error_before() > 0.0);";
     /// The same of the faces after.
     size_error_after -> f64 = real(SizeErrorAfter) "assert!(outcome.size_error_after() < 2.0);";
@@ -249,6 +258,14 @@ results! {
     least_area_after -> f64 = real(LeastAreaAfter) "assert!(outcome.least_area_after() > 0.0);";
     /// The smallest area over perimeter of a face, after over before.
     time_step -> f64 = real(TimeStep) "assert!(outcome.time_step() < 1.0); // smaller faces";
+    /// The smallest edge over the root of the area wanted there, before; NaN if no sizes were wanted.
+    shortest_edge_before -> f64 = real(ShortestEdgeBefore) "assert!(outcome.shortest_edge_before() >= 0.99);";
+    /// The same after.
+    shortest_edge_after -> f64 = real(ShortestEdgeAfter) "assert!(outcome.shortest_edge_after() > 0.0);";
+    /// The largest aspect ratio of a face before.
+    aspect_ratio_before -> f64 = real(AspectRatioBefore) "assert!(outcome.aspect_ratio_before() < 1.01); // squares";
+    /// The same after.
+    aspect_ratio_after -> f64 = real(AspectRatioAfter) "assert!(outcome.aspect_ratio_after() > 1.0);";
 }
 
 impl<'a> Outcome<'a> {

@@ -93,6 +93,10 @@ fn enumerations_have_the_numbers_of_the_header() {
     is(1006, ResultKey::LeastAreaBefore);
     is(1007, ResultKey::LeastAreaAfter);
     is(1008, ResultKey::TimeStep);
+    is(1009, ResultKey::ShortestEdgeBefore);
+    is(1010, ResultKey::ShortestEdgeAfter);
+    is(1011, ResultKey::AspectRatioBefore);
+    is(1012, ResultKey::AspectRatioAfter);
     assert_eq!(Entity::try_from(-1), Err(UnknownValue(-1)));
     assert_eq!(UnknownValue(8).to_string(), "8 is no value of this enumeration");
     let flags = [Flags::FIXED, Flags::FEATURE, Flags::CORNER];

@@ -41,6 +41,10 @@ fn keys_have_values_of_their_own() {
     assert!(first.size_error_after() < first.size_error_before());
     assert!(first.least_area_before() > first.least_area_after() && first.least_area_after() > 0.125);
     assert!(first.time_step() > 0.1 && first.time_step() < 1.0);
+    assert!(first.shortest_edge_before() > first.shortest_edge_after() && first.shortest_edge_after() > 0.2);
+    assert!((first.aspect_ratio_before() - 1.0).abs() < 1e-12 && first.aspect_ratio_after() > 1.01);
+    assert_eq!(all.aspect_ratio_after(), first.aspect_ratio_after());
+    assert!(second.shortest_edge_after().is_nan() && (second.aspect_ratio_after() - 1.0).abs() < 1e-12);
     assert!((first.time_step() - all.time_step()).abs() < 1e-12);
     assert!(second.size_error_after().is_nan() && second.least_area_before().is_nan());
     assert_eq!((second.time_step(), all.least_area_after()), (1.0, first.least_area_after()));
@@ -77,10 +81,14 @@ fn getters_are_those_of_their_keys() {
             outcome.least_area_before(),
             outcome.least_area_after(),
             outcome.time_step(),
+            outcome.shortest_edge_before(),
+            outcome.shortest_edge_after(),
+            outcome.aspect_ratio_before(),
+            outcome.aspect_ratio_after(),
         ];
         // By their bits, as what is not known is NaN.
-        let by_key =
-            [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008].map(|key| outcome.get_real(key).unwrap());
+        let by_key = [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008, 1009, 1010, 1011, 1012]
+            .map(|key| outcome.get_real(key).unwrap());
         assert_eq!(reals.map(f64::to_bits), by_key.map(f64::to_bits));
         assert_eq!(outcome.get_int(ResultKey::Alpha).unwrap_err().status, Status::NotFound);
         assert_eq!(outcome.get_real(ResultKey::FacesAfter).unwrap_err().status, Status::NotFound);
