@@ -32,7 +32,8 @@ struct Outcome {
     double size_error_before = std::numeric_limits<double>::quiet_NaN(), size_error_after = size_error_before;
     double least_area_before = size_error_before, least_area_after = size_error_before;
     double shortest_edge_before = size_error_before, shortest_edge_after = size_error_before;
-    double time_step = 1; // see reference::time_step: after over before
+    std::vector<double> size_errors; // [face of the patch after, in its order] log2; empty likewise
+    double time_step = 1;            // see reference::time_step: after over before
     std::map<int, std::int64_t> valences_before, valences_after; // interior vertices of the mesh in the patch
 };
 

@@ -391,8 +391,10 @@ AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const a
                                     amst_mesh **out);
 /* The same formats without .su2 (.msh is Gmsh 2.2), and .svg, a picture with the
  * singularities marked and, if there is an edge field "chord", with a line through each face
- * between opposite edges of equal value, whose colour the value chooses. A curved mesh is shaded, and what
- * lies behind it is left out. A failure leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
+ * between opposite edges of equal value, whose colour the value chooses. Faces are blue or red if there is a
+ * face field "size error" of 1 component, the more so the farther it is below or above 0. A curved mesh is
+ * shaded, and what lies behind it is left out. A failure leaves no half-written file. Errors: IO, UNSUPPORTED
+ * (extension). */
 AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, fields and revision, without savepoints. */
 AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
@@ -472,7 +474,10 @@ AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, in
  * A vertex that moves keeps its values, as in amst_mesh_set_points, which leaves all
  * fields as they are. Names are UTF-8. The library reads "size" (vertices, 1 component):
  * the wanted edge length, above 0; and "cross" (faces, 3 components, also for dim 2): a
- * direction that edges shall have there, or one at right angles to it; 0 0 0 for none. */
+ * direction that edges shall have there, or one at right angles to it; 0 0 0 for none.
+ * amst_adapt and amst_reduce_singularities write to "size error" (faces, 1 component), if there is such a
+ * field, log2(area / wanted area) of each face of the patches or of the whole mesh, as
+ * AMST_RESULT_SIZE_ERROR_AFTER has it; where they want no size, or know none, the carry rule holds. */
 
 /* A new field, or a new one in the place of the old; n is the number of vertices, edges
  * or faces. The revision stays. Errors: ARGUMENT (entity, name empty, carry, carry not
@@ -592,8 +597,8 @@ AMST_API amst_status amst_patches_get_corners(const amst_patches *patches, amst_
 AMST_API amst_status amst_patches_check(const amst_patches *patches, amst_id patch, int32_t *defects,
                                         double *convexity);
 
-/* Picture (.svg) of the mesh with the patch outlines and the singularities; a failure
- * leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
+/* Picture (.svg) of the mesh with the patch outlines and the singularities, faces in the colours of
+ * amst_mesh_write; a failure leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_patches_write(const amst_patches *patches, const char *path);
 /* What amst_adapt would deliver for that patch and alpha, without doing it: the
  * exact number of faces and of singularities. Takes as long as doing it, since the best

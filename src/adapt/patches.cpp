@@ -70,6 +70,19 @@ private:
     std::vector<Patch> names_;
 };
 
+// Ascending; what is known of each face goes with it.
+void sort_faces(std::vector<int> &faces, std::vector<double> &errors) {
+    std::vector<std::pair<int, double>> order;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        order.emplace_back(faces[i], errors.empty() ? 0 : errors[i]);
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        faces[i] = order[i].first;
+        if (!errors.empty())
+            errors[i] = order[i].second;
+    }
+}
+
 // The faces that the mesh will have.
 std::int64_t faces_wanted(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches, const GoalOf &goal) {
     std::int64_t faces = mesh.n_faces();
@@ -145,8 +158,8 @@ public:
             waiting.swap(again_);
         }
         progress_(1, stage_);
-        for (Patch &region : patches_)
-            std::sort(region.faces.begin(), region.faces.end());
+        for (std::size_t p = 0; p < patches_.size(); ++p)
+            sort_faces(patches_[p].faces, outcomes_[p].size_errors);
         return std::move(outcomes_);
     }
 

@@ -139,6 +139,22 @@ Report Change::report_of(const std::vector<Outcome> &outcomes, bool exact) const
     return report;
 }
 
+void Change::write_size_errors(const std::vector<Outcome> &outcomes) {
+    const mesh::Field *field = copy_->fields.find(Entity::face, size_error_field);
+    if (field == nullptr || field->components != 1)
+        return;
+    auto renewed = std::make_shared<mesh::Field>(*field);
+    for (std::size_t p = 0; p < outcomes.size(); ++p) {
+        const std::vector<double> &errors = outcomes[p].size_errors;
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            const std::size_t face = patches_ == nullptr ? i : static_cast<std::size_t>(regions_[p].faces[i]);
+            if (std::isfinite(errors[i])) // as all values of fields are
+                renewed->values[face] = errors[i];
+        }
+    }
+    copy_->fields.set(std::move(renewed));
+}
+
 void Change::describe_meshes(Report &report) const {
     reference::count(*mesh_->current, report.all.valences_before, report.all.singular_before);
     reference::count(*copy_, report.all.valences_after, report.all.singular_after);
@@ -177,6 +193,7 @@ void Change::log(const std::vector<Outcome> &outcomes, const std::vector<std::in
 amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
                            const std::vector<std::int32_t> &in_use, amst_report **report) {
     transfer::carry(*mesh_->current, *copy_, progress_);
+    write_size_errors(outcomes);
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
     if (report != nullptr)
         describe_meshes(made->impl);

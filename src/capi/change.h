@@ -46,6 +46,7 @@ private:
     };
 
     Report report_of(const std::vector<Outcome> &outcomes, bool exact) const;
+    void write_size_errors(const std::vector<Outcome> &outcomes);
     void describe_meshes(Report &report) const;
     void log(const std::vector<Outcome> &outcomes, const std::vector<std::int32_t> &unused,
              const Report &report) const;

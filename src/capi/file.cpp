@@ -89,6 +89,13 @@ void append_outlines(std::vector<std::vector<std::int32_t>> &outlines, const mes
     }
 }
 
+// The faces in colour, where a field says by how much their sizes are wrong.
+void colour_faces(draw::Picture &picture, const mesh::QuadMesh &mesh) {
+    const mesh::Field *errors = mesh.fields.find(Entity::face, size_error_field);
+    if (errors != nullptr && errors->components == 1)
+        picture.errors = errors->values;
+}
+
 // The way of each chord through each face, where the edges it enters and leaves by have one number.
 void append_chords(std::vector<draw::Polyline> &lines, const mesh::QuadMesh &mesh,
                    const std::vector<double> &chords) {
@@ -140,6 +147,7 @@ amst_status amst_mesh_write(const amst_mesh *mesh, const char *path) {
             return;
         }
         draw::Picture picture = draw::picture(arrays);
+        colour_faces(picture, current);
         if (const std::vector<double> *chords = current.field(Entity::edge, "chord"))
             append_chords(picture.lines, current, *chords);
         draw::write_svg(path, picture);
@@ -156,6 +164,7 @@ amst_status amst_patches_write(const amst_patches *patches, const char *path) {
         const mesh::QuadMesh &mesh = *set.mesh->current;
         const io::Arrays arrays = arrays_of(mesh);
         draw::Picture picture = draw::picture(arrays);
+        colour_faces(picture, mesh);
         for (const Patch &region : set.regions)
             append_outlines(picture.outlines, mesh, region.faces);
         draw::write_svg(path, picture);

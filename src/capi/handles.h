@@ -63,6 +63,10 @@ struct Patches {
     void require_current() const;
 };
 
+// The face field that adapt and reduce_singularities write log2(area / wanted area) to, if there is one,
+// and that pictures show in colour.
+inline constexpr const char *size_error_field = "size error";
+
 struct Report {
     struct Row {
         amst_status status = AMST_OK;

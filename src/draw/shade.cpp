@@ -73,25 +73,28 @@ bool Scene::is_away(std::size_t face) const {
            outside_ * cross_product(diagonal, difference(at(3), at(0)))[2] <= 0;
 }
 
-std::string Scene::tone(std::size_t face) const {
-    using Colour = std::array<double, 3>;
+bool Scene::shows_inside(std::size_t face) const { return !closed_ && is_away(face); }
+
+double Scene::level(std::size_t face) const {
     constexpr int tones = 40; // more are not told apart, and equal ones share a path
-    constexpr Colour blue_dark{74, 88, 112}, blue_light{238, 242, 248};
-    constexpr Colour sand_dark{112, 96, 70}, sand_light{246, 236, 214};
     const Vector3 light = unit_vector({-0.45, 0.6, 0.75});
-    const bool away = !closed_ && is_away(face);
-    const double side = away ? -outside_ : outside_;
+    const double side = shows_inside(face) ? -outside_ : outside_;
     const double lit = side * dot_product(unit_vector(normal(mesh_, drawing_.points, face)), light);
     // Also what looks away from the light a little: the eye is shown no black.
-    const double level = std::round(std::clamp((lit + 0.35) / 1.35, 0.0, 1.0) * tones) / tones;
-    const Colour &dark = away ? sand_dark : blue_dark, &bright = away ? sand_light : blue_light;
-    std::string text = "#";
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto part = static_cast<unsigned>(std::lround(dark[k] + level * (bright[k] - dark[k])));
-        text += "0123456789abcdef"[part / 16];
-        text += "0123456789abcdef"[part % 16];
-    }
-    return text;
+    return std::round(std::clamp((lit + 0.35) / 1.35, 0.0, 1.0) * tones) / tones;
+}
+
+std::string Scene::tone(std::size_t face) const {
+    constexpr Colour blue_dark{74, 88, 112}, blue_light{238, 242, 248};
+    constexpr Colour sand_dark{112, 96, 70}, sand_light{246, 236, 214};
+    const bool inside = shows_inside(face);
+    return text_of(mix(inside ? sand_dark : blue_dark, inside ? sand_light : blue_light, level(face)));
+}
+
+std::string Scene::tone(std::size_t face, const Colour &colour) const {
+    constexpr double dark = 0.5; // as much as that of the plain tones is of their light
+    const Colour shadow{dark * colour[0], dark * colour[1], dark * colour[2]};
+    return text_of(mix(shadow, colour, level(face)));
 }
 
 bool Scene::shows(std::int32_t vertex) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "draw/raster.h"
+#include "draw/tint.h"
 #include "draw/view.h"
 
 namespace alphamst::draw {
@@ -19,11 +20,15 @@ public:
     // Colour of a face: the lighter, the more it is turned to the light, which comes from above on the
     // left; blue-grey outside, sand-coloured inside.
     std::string tone(std::size_t face) const;
+    // The same from one's own colour, which is darker away from the light.
+    std::string tone(std::size_t face, const Colour &colour) const;
     bool shows(std::int32_t vertex) const;
     bool shows_edge(std::int32_t v, std::int32_t w) const; // its middle
 
 private:
     bool is_away(std::size_t face) const;
+    bool shows_inside(std::size_t face) const;
+    double level(std::size_t face) const; // of the light, 0 .. 1
 
     const io::Arrays &mesh_;
     const Drawing &drawing_;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "draw/shade.h"
+#include "draw/tint.h"
 #include "draw/view.h"
 #include "io/file.h"
 #include "io/number.h"
@@ -57,19 +59,49 @@ std::string faces_path(const io::Arrays &mesh, const Drawing &drawing) {
     return text;
 }
 
+// One path a colour; their edges come on top.
+std::string coloured_paths(const Picture &picture, const Drawing &drawing) {
+    std::map<std::string, std::vector<std::size_t>> faces;
+    for (std::size_t f = 0; f < picture.errors.size(); ++f)
+        faces[text_of(tint(picture.errors[f]))].push_back(f);
+    std::string text;
+    for (const auto &[colour, equal] : faces) {
+        text += "<path fill=\"" + colour + "\" d=\"";
+        Pixel here{0, 0};
+        for (const std::size_t f : equal)
+            append_face(text, *picture.mesh, drawing, f, here);
+        text += "\"/>\n";
+    }
+    return text;
+}
+
 // One path for each run of equal tones, or the order of depths would be lost.
-std::string shaded_paths(const io::Arrays &mesh, const Drawing &drawing, const Scene &scene) {
+std::string shaded_paths(const Picture &picture, const Drawing &drawing, const Scene &scene) {
     std::string text, last;
     Pixel here{0, 0};
     for (std::size_t f : scene.faces()) {
-        if (const std::string tone = scene.tone(f); tone != last) {
+        const std::string tone =
+            picture.errors.empty() ? scene.tone(f) : scene.tone(f, tint(picture.errors[f]));
+        if (tone != last) {
             text += (last.empty() ? "" : "\"/>\n") + ("<path fill=\"" + tone) + "\" d=\"";
             last = tone;
             here = {0, 0};
         }
-        append_face(text, mesh, drawing, f, here);
+        append_face(text, *picture.mesh, drawing, f, here);
     }
     return last.empty() ? text : text + "\"/>\n";
+}
+
+std::string faces(const Picture &picture, const Drawing &drawing, const std::optional<Scene> &scene,
+                  std::int64_t stroke) {
+    if (scene)
+        return "<g stroke=\"#3a4250\" stroke-linejoin=\"round\" stroke-width=\"" +
+               std::to_string(std::max<std::int64_t>(stroke / 2, 1)) + "\">\n" +
+               shaded_paths(picture, drawing, *scene) + "</g>\n";
+    return coloured_paths(picture, drawing) + "<path fill=\"" +
+           (picture.errors.empty() ? "#f2f0e6" : "none") +
+           "\" stroke=\"#888\" stroke-linejoin=\"round\" stroke-width=\"" + std::to_string(stroke) +
+           "\" d=\"" + faces_path(*picture.mesh, drawing) + "\"/>\n";
 }
 
 std::string outlines_path(const Picture &picture, const Drawing &drawing) {
@@ -162,6 +194,24 @@ std::string legend(const std::array<Class, 3> &classes, std::size_t n_vertices, 
            " faces</text>\n</g>\n";
 }
 
+// What the colours of the faces mean.
+std::string error_legend(std::int64_t top) {
+    std::string text = "<g font-family=\"sans-serif\" font-size=\"220\" fill=\"#444\">\n";
+    const std::string baseline = std::to_string(top + 160);
+    std::int64_t left = 2300;
+    text += "<text x=\"0\" y=\"" + baseline + "\">area / wanted area</text>\n";
+    for (const auto &[error, name] :
+         {std::pair(-strongest_error, "1/4"), std::pair(-strongest_error / 2, "1/2"), std::pair(0.0, "1"),
+          std::pair(strongest_error / 2, "2"), std::pair(strongest_error, "4")}) {
+        text += "<rect x=\"" + std::to_string(left) + "\" y=\"" + std::to_string(top) +
+                "\" width=\"160\" height=\"160\" stroke=\"#888\" stroke-width=\"10\" fill=\"" +
+                text_of(tint(error)) + "\"/><text x=\"" + std::to_string(left + 220) + "\" y=\"" + baseline +
+                "\">" + name + "</text>\n";
+        left += 1000;
+    }
+    return text + "</g>\n";
+}
+
 } // namespace
 
 Picture picture(const io::Arrays &mesh) {
@@ -210,19 +260,14 @@ void write_svg(const std::string &path, const Picture &picture) {
                                         {picture.singular_other, "#222", "other"}}};
 
     const std::string corner = std::to_string(-margin), full_width = std::to_string(width + 2 * margin),
-                      full_height = std::to_string(drawing.height + 2 * margin + legend_height);
+                      full_height = std::to_string(drawing.height + 2 * margin +
+                                                   (picture.errors.empty() ? 1 : 2) * legend_height);
     std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
     text += corner + " " + corner + " " + full_width + " " + full_height + "\">\n";
     // Its own white paper, or a dark page would swallow lines and letters.
     text += "<rect x=\"" + corner + "\" y=\"" + corner + "\" width=\"" + full_width + "\" height=\"" +
             full_height + "\" fill=\"#fff\"/>\n";
-    if (scene)
-        text += "<g stroke=\"#3a4250\" stroke-linejoin=\"round\" stroke-width=\"" +
-                std::to_string(std::max<std::int64_t>(stroke / 2, 1)) + "\">\n" +
-                shaded_paths(mesh, drawing, *scene) + "</g>\n";
-    else
-        text += "<path fill=\"#f2f0e6\" stroke=\"#888\" stroke-linejoin=\"round\" stroke-width=\"" +
-                std::to_string(stroke) + "\" d=\"" + faces_path(mesh, drawing) + "\"/>\n";
+    text += faces(picture, drawing, scene, stroke);
     if (!picture.outlines.empty())
         text += "<path fill=\"none\" stroke=\"#1a7a3c\" stroke-linejoin=\"round\" stroke-width=\"" +
                 std::to_string(4 * stroke) + "\" d=\"" +
@@ -242,6 +287,8 @@ void write_svg(const std::string &path, const Picture &picture) {
         text += "</g>\n";
     }
     text += legend(classes, mesh.points.size() / 3, mesh.faces.size() / 4, drawing.height + margin / 2);
+    if (!picture.errors.empty())
+        text += error_legend(drawing.height + margin / 2 + legend_height);
     io::save(path, text + "</svg>\n");
 }
 

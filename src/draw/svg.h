@@ -21,6 +21,7 @@ struct Picture {
     std::vector<std::vector<std::int32_t>> outlines; // closed loops of vertices
     std::vector<Polyline> lines;
     std::vector<std::int32_t> singular3, singular5, singular_other; // vertices
+    std::vector<double> errors; // [face] log2(area / wanted area), in colour; empty: not told
 };
 
 // The mesh with its singularities (interior vertices of valence other than 4, found from the

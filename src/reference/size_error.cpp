@@ -26,10 +26,12 @@ double shortest_squared(const geometry::Quad &quad) {
 
 SizeError size_error(std::span<const geometry::Quad> quads, std::span<const double> log_wanted) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    SizeError error{0, infinity, infinity};
+    SizeError error{0, infinity, infinity, {}};
+    error.each.reserve(quads.size());
     for (std::size_t q = 0; q < quads.size(); ++q) {
         const double area = std::max(geometry::area_vector(quads[q]).norm(), no_area);
         const double e = (std::log(area) - log_wanted[q]) / std::numbers::ln2;
+        error.each.push_back(e);
         error.rms += e * e;
         error.least = std::min(error.least, e);
         error.shortest_edge =
@@ -51,6 +53,7 @@ void tell_sizes_after(const SizeError &error, Outcome &outcome) {
     outcome.size_error_after = error.rms;
     outcome.least_area_after = std::exp2(error.least);
     outcome.shortest_edge_after = error.shortest_edge;
+    outcome.size_errors = error.each;
 }
 
 WholeSizes::WholeSizes(const mesh::QuadMesh &mesh, Reference reference, std::int64_t wanted)

@@ -17,6 +17,7 @@ namespace alphamst::reference {
 // of edge / root of the wanted area of the face that has it.
 struct SizeError {
     double rms = 0, least = 0, shortest_edge = 0;
+    std::vector<double> each{}; // [quad] log2
 };
 
 // log_wanted: [quad] the natural logarithm of the area that is wanted there.

@@ -44,6 +44,16 @@ std::vector<int> buffer_of(const mesh::QuadMesh &mesh, const Cavity &cavity) {
     return faces;
 }
 
+// The old quads are in ascending order of the faces, those of the patch may be in any.
+std::vector<double> in_order_of(const Patch &patch, const Cavity &cavity, const std::vector<double> &values) {
+    const std::vector<int> &ascending = cavity.window.faces;
+    std::vector<double> ordered;
+    for (const int f : patch.faces)
+        ordered.push_back(values[static_cast<std::size_t>(
+            std::lower_bound(ascending.begin(), ascending.end(), f) - ascending.begin())]);
+    return ordered;
+}
+
 // Faces, shapes and sizes of what comes in the place of the patch.
 void tell_taken(const mesh::QuadMesh &mesh, const Patch &patch, const Replacement &taken,
                 const SizeError &sizes, Outcome &outcome) {
@@ -81,6 +91,7 @@ Proposal propose(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goa
         outcome.singular_bound = bound(cavity, mesh);
         outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
         reference::tell_sizes_before(cavity.old_size_error(), outcome);
+        outcome.size_errors = in_order_of(patch, cavity, outcome.size_errors);
         const BufferRing buffer(mesh, cavity, buffer_of(mesh, cavity), true);
         Evaluator evaluator(mesh, cavity, buffer, settings, proposal.trace);
         Chosen best = FillingChoice(cavity, evaluator, proposal.trace, sized, settings).run();

@@ -44,7 +44,7 @@ TEST(Svg, DrawsTheMesh) {
     mesh.dim = 2;
     mesh.points = {0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0};
     mesh.faces = {0, 1, 2, 3};
-    Picture drawn{&mesh, {{0, 1, 2, 3}}, {}, {1}, {}, {2, 3}};
+    Picture drawn{&mesh, {{0, 1, 2, 3}}, {}, {1}, {}, {2, 3}, {}};
     write_svg(folder / "m.svg", drawn);
     const std::string text = samples::contents(folder / "m.svg");
     // y points up: vertex 0 is at the bottom left, 5000 units below the top.
@@ -78,6 +78,31 @@ TEST(Svg, DrawsLinesBetweenEdgesInTheColourOfTheirNumber) {
     EXPECT_EQ(count(text, "stroke-linecap"), 2u);
     // From the left side at half height to the middle edge, and on from there.
     EXPECT_NE(text.find("d=\"m0 2500l5000 0m0 0l5000 0\""), std::string::npos) << text;
+}
+
+TEST(Svg, ColoursFacesByTheirErrors) {
+    const samples::Folder folder;
+    const io::Arrays flat = samples::grid(3, 2), curved = samples::cube();
+    for (const io::Arrays *mesh : {&flat, &curved}) {
+        Picture drawn = picture(*mesh);
+        drawn.errors.assign(mesh->faces.size() / 4, -2);
+        write_svg(folder / "small.svg", drawn);
+        drawn.errors.assign(mesh->faces.size() / 4, 2);
+        write_svg(folder / "large.svg", drawn);
+        drawn.errors[0] = 0;
+        write_svg(folder / "both.svg", drawn);
+        const std::string small = samples::contents(folder / "small.svg");
+        EXPECT_NE(small, samples::contents(folder / "large.svg"));
+        EXPECT_EQ(count(small, "<rect"), 1u + 5u); // paper and legend
+        EXPECT_NE(small.find("area / wanted area"), std::string::npos);
+        if (mesh == &curved)
+            continue; // which has shades of them
+        EXPECT_EQ(count(small, "<path fill=\"#2166ac\""), 1u);
+        const std::string both = samples::contents(folder / "both.svg");
+        EXPECT_EQ(count(both, "<path fill=\"#b2182b\""), 1u);
+        EXPECT_EQ(count(both, "<path fill=\"#f7f7f7\""), 1u);
+        EXPECT_EQ(count(both, "<path fill=\"none\" stroke=\"#888\""), 1u); // the edges, on top
+    }
 }
 
 TEST(Svg, DrawsAnyMesh) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -26,6 +27,9 @@ TEST(SizeError, IsInPowersOfTwo) {
     EXPECT_NEAR(error.rms, std::sqrt(0.5), tight);
     EXPECT_NEAR(error.least, -1, tight);
     EXPECT_NEAR(error.shortest_edge, 0.5, tight);
+    ASSERT_EQ(error.each.size(), 4u);
+    for (std::size_t q = 0; q < 4; ++q)
+        EXPECT_NEAR(error.each[q], (std::array{-1, 1, 0, 0}[q]), tight);
 }
 
 TEST(SizeError, OfEdgesIsByTheAreaThatIsWantedThere) {
@@ -43,11 +47,13 @@ TEST(SizeError, OfAFaceThatIsAPointIsANumber) {
 
 TEST(SizeError, IsToldToOutcomes) {
     Outcome outcome;
-    tell_sizes_before({0.5, -2, 0.25}, outcome);
+    tell_sizes_before({0.5, -2, 0.25, {1}}, outcome);
+    EXPECT_EQ(outcome.size_errors, std::vector<double>{1});
     EXPECT_EQ(outcome.size_error_after, 0.5);
     EXPECT_EQ(outcome.least_area_after, 0.25);
     EXPECT_EQ(outcome.shortest_edge_after, 0.25);
-    tell_sizes_after({1, -1, 0.5}, outcome);
+    tell_sizes_after({1, -1, 0.5, {2, 3}}, outcome);
+    EXPECT_EQ(outcome.size_errors, (std::vector<double>{2, 3}));
     EXPECT_EQ(outcome.size_error_before, 0.5);
     EXPECT_EQ(outcome.least_area_before, 0.25);
     EXPECT_EQ(outcome.shortest_edge_before, 0.25);

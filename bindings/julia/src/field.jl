@@ -17,7 +17,9 @@ An operation keeps the values of what it keeps. New entities get theirs by `carr
 * `:conserve`, for faces: averaged by area, so that the sum of value times area stays
 
 The library reads `"size"`, one number above 0 at each vertex: the wanted edge length; and `"cross"`, three
-at each face, see [`compute_cross_field!`](@ref). Throws `AlphaMSTError`: ARGUMENT (entity, name, carry not
+at each face, see [`compute_cross_field!`](@ref). [`adapt!`](@ref) and [`reduce_singularities!`](@ref) write
+to `"size error"`, one number at each face, if it is there, log2(area / wanted area) where they want sizes;
+pictures show it in colour. Throws `AlphaMSTError`: ARGUMENT (entity, name, carry not
 for this entity), RANGE (number of values, a size not above 0), NOT_FINITE.
 """
 set_field!(mesh::Mesh, entity, name::AbstractString, values::AbstractVector{<:Real}; carry) =

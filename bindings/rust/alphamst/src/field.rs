@@ -31,7 +31,9 @@ impl Mesh {
     /// others theirs. The revision stays.
     ///
     /// The library reads `"size"`, one number above 0 at each vertex: the wanted edge length; and `"cross"`,
-    /// three at each face, see [`compute_cross_field`](Mesh::compute_cross_field).
+    /// three at each face, see [`compute_cross_field`](Mesh::compute_cross_field). [`adapt`](Mesh::adapt) and
+    /// [`reduce_singularities`](Mesh::reduce_singularities) write to `"size error"`, one number at each face, if
+    /// it is there, log2(area / wanted area) where they want sizes; pictures show it in colour.
     ///
     /// Errors: `Argument` (name empty, name or carry not for this entity), `Range` (components, number of
     /// values, a size not above 0), `NotFinite`, `State` (in a callback).
