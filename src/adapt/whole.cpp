@@ -71,10 +71,9 @@ private:
         reference::count(mesh_, begin_.valences_before, begin_.singular_before);
         begin_.quality_before = reference::least_quality(mesh_);
         begin_.aspect_ratio_before = begin_.aspect_ratio_after = reference::largest_aspect_ratio(mesh_);
-        const reference::Reference reference =
-            reference::reference_of(mesh_); // gives a curved mesh its surface
-        sizes_.emplace(mesh_, reference, begin_.faces_wanted);
-        reference::tell_sizes_before(sizes_->error(mesh_, reference.surface_triangles), begin_);
+        // The reference gives a curved mesh its surface.
+        sizes_.emplace(mesh_, reference::reference_of(mesh_), begin_.faces_wanted);
+        reference::tell_sizes_before(sizes_->error(mesh_), begin_);
         if (settings_.align && mesh_.surface)
             cross_field_.emplace(mesh_);
         chord_prepass(mesh_, begin_.faces_wanted, settings_, tell_);
@@ -115,7 +114,7 @@ private:
         reference::count(tried, result.valences_after, result.singular_after);
         result.quality_after = reference::least_quality(tried);
         result.aspect_ratio_after = reference::largest_aspect_ratio(tried);
-        reference::tell_sizes_after(sizes_->error(tried, std::move(reference.surface_triangles)), result);
+        reference::tell_sizes_after(sizes_->error(tried), result);
         return result;
     }
 

@@ -97,15 +97,20 @@ Reference reference_of(mesh::QuadMesh &mesh) {
         mesh.surface = reference::surface_of(mesh);
     mesh.curves = reference::curves_of(mesh);
     reference.surface = mesh.surface;
-    const bool same = same_points(mesh, *reference.surface);
-    for (int v = 0; v < mesh.n_vertices(); ++v) {
-        if (same && !reference.surface->triangles_around(v).empty())
-            reference.surface_triangles.push_back(reference.surface->triangles_around(v).front());
-        else
-            reference.surface_triangles.push_back(
-                mesh.isolated(v) ? 0 : spot_of(mesh, *reference.surface, v).triangle);
-    }
+    reference.surface_triangles = triangles_under(mesh, *reference.surface);
     return reference;
+}
+
+std::vector<int> triangles_under(const mesh::QuadMesh &mesh, const surface::Surface &surface) {
+    std::vector<int> triangles;
+    const bool same = same_points(mesh, surface);
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        if (same && !surface.triangles_around(v).empty())
+            triangles.push_back(surface.triangles_around(v).front());
+        else
+            triangles.push_back(mesh.isolated(v) ? 0 : spot_of(mesh, surface, v).triangle);
+    }
+    return triangles;
 }
 
 Reference reference_of(const mesh::QuadMesh &mesh, std::span<const Patch> patches) {

@@ -43,6 +43,9 @@ struct Reference {
 // features keep to their curves likewise.
 Reference reference_of(mesh::QuadMesh &mesh);
 
+// The triangle of the surface under each vertex.
+std::vector<int> triangles_under(const mesh::QuadMesh &mesh, const surface::Surface &surface);
+
 // For patches: the surface, where one of them is curved or the mesh keeps to one already.
 Reference reference_of(const mesh::QuadMesh &mesh, std::span<const Patch> patches);
 

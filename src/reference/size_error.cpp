@@ -65,8 +65,9 @@ WholeSizes::WholeSizes(const mesh::QuadMesh &mesh, Reference reference, std::int
     log_factor_ = std::log(std::max(sum, no_area) / static_cast<double>(std::max<std::int64_t>(1, wanted)));
 }
 
-SizeError WholeSizes::error(const mesh::QuadMesh &mesh, std::vector<int> surface_triangles) {
-    reference_.surface_triangles = std::move(surface_triangles);
+SizeError WholeSizes::error(const mesh::QuadMesh &mesh) {
+    if (reference_.surface)
+        reference_.surface_triangles = triangles_under(mesh, *reference_.surface);
     std::vector<geometry::Quad> quads;
     std::vector<double> log_wanted;
     for (int f = 0; f < mesh.n_faces(); ++f) {

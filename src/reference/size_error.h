@@ -36,11 +36,11 @@ public:
     WholeSizes(const WholeSizes &) = delete;
     WholeSizes &operator=(const WholeSizes &) = delete;
 
-    // Of the mesh as it has become since. surface_triangles: under its vertices, as Reference has them.
-    SizeError error(const mesh::QuadMesh &mesh, std::vector<int> surface_triangles);
+    // Of the mesh as it has become since.
+    SizeError error(const mesh::QuadMesh &mesh);
 
 private:
-    Reference reference_; // which the field reads
+    Reference reference_; // which the field reads, of the mesh that was last asked for
     std::optional<SizingField> density_;
     double log_factor_ = 0;
 };

@@ -66,9 +66,8 @@ TEST(WholeSizes, InAPlaneAreThosePresentOverAFactor) {
     for (const int dim : {2, 3})
         for (const double alpha : {0.5, 1.0, 4.0}) {
             mesh::QuadMesh mesh = adapt::samples::grid(8, 6, dim);
-            const Reference reference = reference_of(mesh);
-            WholeSizes sizes(mesh, reference, std::llround(48 * alpha));
-            const SizeError error = sizes.error(mesh, reference.surface_triangles);
+            WholeSizes sizes(mesh, reference_of(mesh), std::llround(48 * alpha));
+            const SizeError error = sizes.error(mesh);
             EXPECT_NEAR(error.rms, std::abs(std::log2(alpha)), tight);
             EXPECT_NEAR(error.least, std::log2(alpha), tight);
             EXPECT_NEAR(error.shortest_edge, std::sqrt(alpha), tight);
@@ -85,7 +84,7 @@ TEST(WholeSizes, JudgeWhatTheMeshBecame) {
     }
     const mesh::QuadMesh finer = mesh::grid(
         24, 24, [](double s, double t) { return Eigen::Vector3d(12 * s, 12 * t, 0); }, false, false, 2);
-    const SizeError error = sizes->error(finer, {});
+    const SizeError error = sizes->error(finer);
     EXPECT_NEAR(error.rms, 0, tight);
     EXPECT_NEAR(error.shortest_edge, 1, tight);
 }
@@ -100,17 +99,28 @@ TEST(WholeSizes, AreThoseOfTheFieldSizeWhereThereIsOne) {
         field.values.push_back(3);
     mesh.fields.set(std::make_shared<const mesh::Field>(std::move(field)));
     WholeSizes sizes(mesh, reference_of(mesh), 300); // of area 1
-    const SizeError error = sizes.error(mesh, {});
+    const SizeError error = sizes.error(mesh);
     EXPECT_NEAR(error.rms, std::sqrt(0.5), tight);
     EXPECT_NEAR(error.least, 0, tight);
     EXPECT_NEAR(error.shortest_edge, 1, tight);
 }
 
+// Were all areas to be the same.
+double size_error_of_spheres(const mesh::QuadMesh &sphere) {
+    std::vector<geometry::Quad> quads;
+    double area = 0;
+    for (int f = 0; f < sphere.n_faces(); ++f) {
+        quads.push_back(quad_of(sphere, f));
+        area += geometry::area_vector(quads.back()).norm();
+    }
+    const double mean = area / static_cast<double>(quads.size());
+    return size_error(quads, std::vector<double>(quads.size(), std::log(mean))).rms;
+}
+
 TEST(WholeSizes, OfASphereAreEven) {
     mesh::QuadMesh sphere = mesh::sphere(16);
-    const Reference reference = reference_of(sphere);
-    WholeSizes sizes(sphere, reference, 4 * sphere.n_faces());
-    const SizeError error = sizes.error(sphere, reference.surface_triangles);
+    WholeSizes sizes(sphere, reference_of(sphere), 4 * sphere.n_faces());
+    const SizeError error = sizes.error(sphere);
     std::vector<double> areas;
     double sum = 0;
     for (int f = 0; f < sphere.n_faces(); ++f) {
@@ -121,6 +131,8 @@ TEST(WholeSizes, OfASphereAreEven) {
     const double wanted = sum / (4.0 * static_cast<double>(areas.size()));
     EXPECT_NEAR(error.least, std::log2(least / wanted), 0.3);
     EXPECT_NEAR(error.rms, 2, 0.3);
+    const mesh::QuadMesh finer = mesh::sphere(32); // of which the surface is not made
+    EXPECT_NEAR(sizes.error(finer).rms, size_error_of_spheres(finer), 0.1);
 }
 
 } // namespace
