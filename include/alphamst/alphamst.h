@@ -214,7 +214,7 @@ enum amst_option {
     AMST_OPTION_INVALID = -1,
     AMST_OPT_SEED = 0,             /* int, 0: seed of every random choice */
     AMST_OPT_SMOOTH_STEPS = 1,     /* int, 20: sweeps of shape optimisation, 0..1000 */
-    AMST_OPT_REPAIR_PATCHES = 2,   /* int 0/1, 1: fill holes, cut pinches of new patches */
+    AMST_OPT_REPAIR_PATCHES = 2,   /* int 0/1, 1: fill small holes, cut pinches of new patches */
     AMST_OPT_CANDIDATES = 3,       /* int, 16: fillings to try in a patch before it is left, 1..1000 */
     AMST_OPT_NODE_LIMIT = 4,       /* int, 1000: effort of one exact search, in quads laid, 0..10^9 */
     AMST_OPT_QUADRANGULATE = 5,    /* int, 0: triangles 0 are paired, 1 every face is split */
@@ -308,8 +308,9 @@ AMST_API const char *amst_version_string(void);
 AMST_API int32_t amst_has(const char *feature);
 /* Name of a status, e.g. "AMST_ERR_STALE"; never NULL. */
 AMST_API const char *amst_status_name(amst_status status);
-/* Sentence about the last failure on this thread; "" if there was none. Valid
- * until the next failing call on this thread; destroy calls do not touch it. */
+/* Sentence about the last failure on this thread, or about what the last call that gave
+ * AMST_PARTIAL could not do and why; "" if there was none. Valid until the next such call
+ * on this thread; destroy calls do not touch it. */
 AMST_API const char *amst_last_error(void);
 /* Where it happened: AMST_ENTITY_NONE if it is not about one entity; patch is
  * "none" if it is not about one patch. Any output may be NULL. */
@@ -532,7 +533,8 @@ AMST_API amst_status amst_mesh_forget(amst_mesh *mesh, int64_t revision);
 /* A patch set belongs to one revision of one mesh; operations given the set move
  * it along to the new revision and the new faces. Other changes make it STALE.
  * Faces that an earlier patch has, or that are FIXED, are left out of a new one;
- * AMST_OPT_REPAIR_PATCHES then makes it a disk if it can. `patch` of an add call
+ * AMST_OPT_REPAIR_PATCHES then makes it a disk if it can, but leaves a ring: what
+ * encloses a hole of two faces or more that has over a tenth of its own. `patch` of an add call
  * receives the new patch's id and may be NULL.
  * Errors of all but create, destroy and get_count: STALE; RANGE (patch, face, vertex,
  * count). Errors of add calls: PATCH (no face would be left), NOT_FINITE. */
@@ -601,8 +603,9 @@ AMST_API amst_status amst_patches_check(const amst_patches *patches, amst_id pat
  * amst_mesh_write; a failure leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_patches_write(const amst_patches *patches, const char *path);
 /* What amst_adapt would deliver for that patch and alpha, without doing it: the
- * exact number of faces and of singularities. Takes as long as doing it, since the best
- * filling is told by its sizes and shapes. Either output may be NULL.
+ * exact number of faces and of singularities. A very small alpha gives the fewest faces that
+ * the boundary allows. Takes as long as doing it, since the best filling is told by its
+ * sizes and shapes. Either output may be NULL.
  * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, PATCH, NO_FILLING, GEOMETRY. */
 AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, double alpha,
                                           const amst_options *options, int64_t *faces,
@@ -612,7 +615,9 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
 /* Each changes the mesh or, on failure and on cancel, not at all; it works on a copy,
  * so that for a moment the mesh takes twice its memory. `report` may be NULL; the
  * report written there is the caller's. Patches with defects are left and make the
- * result AMST_PARTIAL. The patch set moves along.
+ * result AMST_PARTIAL, but amst_adapt takes rings and regions with several holes (no
+ * defect but NOT_DISK). The patch set moves along. After AMST_PARTIAL amst_last_error says
+ * what was in the way, of the first patch that it is about; the log says it of all.
  * Errors: ARGUMENT (patches of another mesh), STALE, STATE, CANCELLED. */
 
 /* Replace each patch by its alpha template: round(alpha * faces) faces, few singular vertices, the border
@@ -623,13 +628,20 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * of the patch. Of fillings with few singular vertices the one is taken that has these sizes best and good
  * angles; none with a face below an eighth of what is wanted, unless there was one.
  *
+ * Where the boundary of a patch in a plane does not allow that number of faces, the nearest that it allows is
+ * made and the status of the patch is AMST_PARTIAL: a boundary of n edges needs n / 2 - 1 faces, and more
+ * where its angles do. A ring, a region with several holes, or a curved patch that no single filling covers
+ * is refilled in parts, which costs some singular vertices.
+ *
  * At alpha 1 a patch keeps its sizes; its singular vertices do not become more and its smallest scaled
  * Jacobian does not fall. Where nothing is gained it stays bit for bit, and so does a whole mesh without
  * ALIGN and without a field "size".
  *
  * patches NULL: the whole mesh, by windows: disks that the library chooses, grows and moves over it. It gets
  * round(alpha * faces) faces, or the result is AMST_PARTIAL, and as few singular vertices as can be; its
- * boundary stays. Same mesh, options and seed, same result, on any number of threads.
+ * boundary stays. Boundary layers in a plane (rows of faces eight times longer than high) stay, too, unless
+ * the count cannot be had so, the mesh becomes much coarser, or a field "size" speaks. Same mesh, options and
+ * seed, same result, on any number of threads.
  *
  * Curved meshes keep to their surface, see amst_mesh_set_surface: it and what is filled anew stay within
  * AMST_OPT_TOLERANCE of each other. What cannot be filled so, patches and the last faces of a whole mesh, may

@@ -2,26 +2,97 @@
 
 #include <algorithm>
 
+#include "adapt/divide.h"
 #include "adapt/patches.h"
+#include "patch/region.h"
+#include "patch/window.h"
 #include "refill/patch.h"
 
 namespace alphamst::adapt {
 
-namespace {
-
 refill::Goal goal_of(const Patch &patch, double alpha) {
     refill::Goal goal;
     goal.faces = refill::wanted_faces(patch.alpha > 0 ? patch.alpha : alpha, patch.faces.size());
+    goal.or_nearest = true;
     goal.keep_quality = goal.faces == static_cast<std::int64_t>(patch.faces.size());
     return goal;
+}
+
+namespace {
+
+// Of the tolerances, before parts are tried: farther from the surface than that, many singular vertices more
+// are the lesser evil.
+constexpr std::size_t firm_tolerances = 2;
+
+bool is_open(const Outcome &outcome) {
+    return outcome.fault == Fault::no_filling || outcome.fault == Fault::geometry;
+}
+
+// A large patch of many singular vertices for which no better filling was found.
+bool keeps_many(const Outcome &outcome) {
+    constexpr std::int64_t large = 300, seldom = 12; // faces; faces for a singular vertex
+    return !outcome.fault && outcome.faces_before >= large && outcome.faces_after == outcome.faces_before &&
+           outcome.faces_wanted == outcome.faces_before &&
+           outcome.singular_after == outcome.singular_before &&
+           outcome.singular_after * seldom > outcome.faces_after;
+}
+
+// Or a ring, or a region with several holes, which has no single filling.
+bool is_for_parts(const mesh::QuadMesh &mesh, const Patch &patch, const Outcome &outcome) {
+    return is_open(outcome) ||
+           (outcome.fault == Fault::patch && patch::defects(mesh, patch.faces) == patch::not_disk) ||
+           keeps_many(outcome);
+}
+
+// What no single filling does is done in parts.
+void divide(mesh::QuadMesh &mesh, std::vector<Patch> &patches, const Settings &settings,
+            const Progress &progress, std::vector<Outcome> &outcomes) {
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        Outcome &outcome = outcomes[p];
+        if (!is_for_parts(mesh, patches[p], outcome))
+            continue;
+        refill_in_parts(mesh, patches, p, outcome.faces_wanted, settings, progress, outcome);
+        if (outcome.faces_after != outcome.faces_before || !is_open(outcome))
+            outcome.fault.reset();
+        if (!outcome.fault && outcome.faces_after != outcome.faces_wanted)
+            outcome.text += "; in parts it came to " + std::to_string(outcome.faces_after) + " faces";
+        else if (!outcome.fault)
+            outcome.text.clear();
+    }
+}
+
+// What could not be done in parts either, farther from the surface.
+void loosen(mesh::QuadMesh &mesh, std::vector<Patch> &patches, double alpha, const Settings &settings,
+            const Progress &progress, std::vector<Outcome> &outcomes) {
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        if (!is_open(outcomes[p]))
+            continue;
+        std::vector<Patch> one{patches[p]};
+        Manner manner;
+        manner.tolerances = std::span(tolerances).subspan(firm_tolerances);
+        manner.whole = &patches;
+        outcomes[p] = refill_patches(
+                          mesh, one, settings, progress, "adapt",
+                          [alpha](const Patch &patch) { return goal_of(patch, alpha); }, manner)
+                          .front();
+    }
 }
 
 } // namespace
 
 std::vector<Outcome> adapt(mesh::QuadMesh &mesh, std::vector<Patch> &patches, double alpha,
                            const Settings &settings, const Progress &progress) {
-    return refill_patches(mesh, patches, settings, progress, "adapt",
-                          [alpha](const Patch &patch) { return goal_of(patch, alpha); });
+    Manner manner;
+    manner.tolerances = std::span(tolerances).first(firm_tolerances);
+    manner.last_try = false;
+    std::vector<Outcome> outcomes = refill_patches(
+        mesh, patches, settings, progress, "adapt",
+        [alpha](const Patch &patch) { return goal_of(patch, alpha); }, manner);
+    divide(mesh, patches, settings, progress, outcomes);
+    loosen(mesh, patches, alpha, settings, progress, outcomes);
+    for (std::size_t p = 0; p < patches.size(); ++p)
+        sort_faces(patches[p], outcomes[p]);
+    return outcomes;
 }
 
 std::vector<Outcome> reduce_singularities(mesh::QuadMesh &mesh, std::vector<Patch> &patches,
@@ -35,21 +106,13 @@ std::vector<Outcome> reduce_singularities(mesh::QuadMesh &mesh, std::vector<Patc
 }
 
 Prediction predict(const mesh::QuadMesh &mesh, const Patch &patch, double alpha, const Settings &settings) {
-    const refill::Goal goal = goal_of(patch, alpha);
-    const std::vector<Patch> patches{patch};
     // Which filling is the best only the sizes and shapes of some can tell.
-    mesh::QuadMesh copy = mesh; // it may get a surface to keep to
-    PatchReference judged(copy, patches, settings, [&](const Patch &) { return goal; });
-    refill::Proposal proposal;
-    for (const double times : tolerances) {
-        judged.loosen(times);
-        proposal = refill::propose(copy, patch, goal, settings, judged.reference);
-        if (!wants_more_room(proposal))
-            break;
-    }
-    if (proposal.outcome.fault)
-        throw Failure(*proposal.outcome.fault, proposal.outcome.text);
-    return {proposal.outcome.faces_after, proposal.outcome.singular_after};
+    mesh::QuadMesh copy = mesh;
+    std::vector<Patch> patches{patch};
+    const Outcome outcome = adapt(copy, patches, alpha, settings, [](double, const char *) {}).front();
+    if (outcome.fault)
+        throw Failure(*outcome.fault, outcome.text);
+    return {outcome.faces_after, outcome.singular_after};
 }
 
 } // namespace alphamst::adapt

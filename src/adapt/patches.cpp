@@ -5,6 +5,8 @@
 #include <span>
 
 #include "adapt/commit.h"
+#include "adapt/divide.h"
+#include "adapt/followed.h"
 #include "adapt/log.h"
 #include "index.h"
 #include "parallel/workers.h"
@@ -32,46 +34,19 @@ std::vector<std::size_t> independent(const mesh::QuadMesh &mesh, const std::vect
     return batch;
 }
 
-// Patches that go on through commits: their faces and corners by names that stay.
-class Followed {
-public:
-    Followed(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches)
-        : faces_(mesh.n_faces()), vertices_(mesh.n_vertices()), names_(patches) {}
+// The faces that the mesh will have.
+std::int64_t faces_wanted(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches, const GoalOf &goal) {
+    std::int64_t faces = mesh.n_faces();
+    for (const Patch &patch : patches)
+        faces += goal(patch).faces - static_cast<std::int64_t>(patch.faces.size());
+    return std::max<std::int64_t>(1, faces);
+}
 
-    Patch now(std::size_t patch) const {
-        Patch region = names_[patch];
-        for (int &f : region.faces)
-            f = faces_.now(f);
-        for (int &v : region.corners)
-            v = vertices_.now(v);
-        return region;
-    }
+} // namespace
 
-    // The patch was refilled. replacement: in the numbers of the mesh just before.
-    void follow(std::size_t patch, const refill::Replacement &replacement,
-                const mesh::QuadMesh::Replaced &replaced) {
-        for (const int f : replacement.window.faces)
-            faces_.remove(f);
-        for (const int v : replacement.window.interior)
-            vertices_.remove(v);
-        names_[patch].faces.clear();
-        for (const int f : replaced.faces)
-            names_[patch].faces.push_back(faces_.add(f));
-        for (const int v : replaced.vertices)
-            vertices_.add(v);
-        for (const auto &[from, to] : replaced.moved_faces)
-            faces_.move(from, to);
-        for (const auto &[from, to] : replaced.moved_vertices)
-            vertices_.move(from, to);
-    }
-
-private:
-    mesh::Renumbered faces_, vertices_;
-    std::vector<Patch> names_;
-};
-
-// Ascending; what is known of each face goes with it.
-void sort_faces(std::vector<int> &faces, std::vector<double> &errors) {
+void sort_faces(Patch &patch, Outcome &outcome) {
+    std::vector<int> &faces = patch.faces;
+    std::vector<double> &errors = outcome.size_errors;
     std::vector<std::pair<int, double>> order;
     for (std::size_t i = 0; i < faces.size(); ++i)
         order.emplace_back(faces[i], errors.empty() ? 0 : errors[i]);
@@ -82,16 +57,6 @@ void sort_faces(std::vector<int> &faces, std::vector<double> &errors) {
             errors[i] = order[i].second;
     }
 }
-
-// The faces that the mesh will have.
-std::int64_t faces_wanted(const mesh::QuadMesh &mesh, const std::vector<Patch> &patches, const GoalOf &goal) {
-    std::int64_t faces = mesh.n_faces();
-    for (const Patch &patch : patches)
-        faces += goal(patch).faces - static_cast<std::int64_t>(patch.faces.size());
-    return std::max<std::int64_t>(1, faces);
-}
-
-} // namespace
 
 PatchReference::PatchReference(mesh::QuadMesh &mesh, const std::vector<Patch> &patches,
                                const Settings &settings, const GoalOf &goal)
@@ -136,16 +101,19 @@ namespace {
 class Refill {
 public:
     Refill(mesh::QuadMesh &mesh, std::vector<Patch> &patches, const Settings &settings,
-           const Progress &progress, const char *stage, const GoalOf &goal)
+           const Progress &progress, const char *stage, const GoalOf &goal, const Manner &manner)
         : mesh_(mesh), patches_(patches), settings_(settings), progress_(progress), stage_(stage),
-          goal_(goal), followed_(mesh, patches), workers_(settings.threads),
-          judged_(mesh, patches, settings, goal), outcomes_(patches.size()) {}
+          goal_(goal), manner_(manner),
+          followed_(mesh, patches, manner.whole != nullptr ? *manner.whole : std::vector<Patch>()),
+          workers_(settings.threads), judged_(mesh, patches, settings, goal), outcomes_(patches.size()) {}
 
     std::vector<Outcome> run() {
+        judged_.reference.region_sizes = manner_.sizes;
         std::vector<std::size_t> waiting(patches_.size());
         std::iota(waiting.begin(), waiting.end(), std::size_t{0});
-        for (const double times : tolerances) {
+        for (const double times : manner_.tolerances) {
             judged_.loosen(times);
+            last_try_ = manner_.last_try && times == manner_.tolerances.back();
             while (!waiting.empty()) {
                 const std::vector<std::size_t> batch = independent(mesh_, patches_, waiting);
                 // Small rounds, so that progress and cancel are heard in time.
@@ -159,7 +127,9 @@ public:
         }
         progress_(1, stage_);
         for (std::size_t p = 0; p < patches_.size(); ++p)
-            sort_faces(patches_[p].faces, outcomes_[p].size_errors);
+            sort_faces(patches_[p], outcomes_[p]);
+        if (manner_.whole != nullptr)
+            *manner_.whole = followed_.around();
         return std::move(outcomes_);
     }
 
@@ -169,7 +139,9 @@ private:
         std::vector<refill::Proposal> proposals(round.size());
         workers_.run(round.size(), [&](std::size_t i, std::size_t) {
             const Patch region = followed_.now(round[i]);
-            proposals[i] = refill::propose(mesh_, region, goal_(region), settings_, judged_.reference);
+            refill::Goal goal = goal_(region);
+            goal.last_try = last_try_;
+            proposals[i] = refill::propose(mesh_, region, goal, settings_, judged_.reference);
         });
         Commits commits(mesh_, judged_.reference);
         for (std::size_t i = 0; i < round.size(); ++i) {
@@ -193,11 +165,13 @@ private:
     const Progress &progress_;
     const char *stage_;
     const GoalOf &goal_;
+    const Manner manner_;
     Followed followed_;
     const parallel::Workers workers_;
     PatchReference judged_;
     std::vector<Outcome> outcomes_;
     std::vector<std::size_t> again_; // where the tolerance was in the way
+    bool last_try_ = false;
     std::size_t done_ = 0;
 };
 
@@ -205,8 +179,8 @@ private:
 
 std::vector<Outcome> refill_patches(mesh::QuadMesh &mesh, std::vector<Patch> &patches,
                                     const Settings &settings, const Progress &progress, const char *stage,
-                                    const GoalOf &goal) {
-    return Refill(mesh, patches, settings, progress, stage, goal).run();
+                                    const GoalOf &goal, const Manner &manner) {
+    return Refill(mesh, patches, settings, progress, stage, goal, manner).run();
 }
 
 } // namespace alphamst::adapt

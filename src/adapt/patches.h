@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "reference/cross_field.h"
 #include "reference/sizing_field.h"
@@ -33,12 +34,28 @@ private:
 };
 
 // Patches that cannot be filled within the tolerance may be somewhat farther from the surface, as whole
-// meshes may for the last faces of their count (see the levels in schedule.cpp).
+// meshes may for the last faces of their count (see the levels in schedule.cpp): so many times.
 inline constexpr double tolerances[] = {1, 1.4, 2, 3};
 bool wants_more_room(const refill::Proposal &proposal);
 
+// What an alpha asks of a patch that has none of its own.
+refill::Goal goal_of(const Patch &patch, double alpha);
+
+// Makes faces ascending; what is known of each goes with it.
+void sort_faces(Patch &patch, Outcome &outcome);
+
+struct Manner {
+    // Times the tolerance that was asked for, one after the other.
+    std::span<const double> tolerances = adapt::tolerances;
+    bool last_try = true; // they are not tried again
+    // Where the patches are parts of others: the others, which follow the mesh, and the sizes that are wanted
+    // in the one that has the parts.
+    std::vector<Patch> *whole = nullptr;
+    const reference::RegionSizes *sizes = nullptr;
+};
+
 std::vector<Outcome> refill_patches(mesh::QuadMesh &mesh, std::vector<Patch> &patches,
                                     const Settings &settings, const Progress &progress, const char *stage,
-                                    const GoalOf &goal);
+                                    const GoalOf &goal, const Manner &manner = {});
 
 } // namespace alphamst::adapt

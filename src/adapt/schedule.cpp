@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "adapt/expected_gain.h"
+#include "adapt/mend_sizes.h"
 #include "adapt/sweep.h"
 #include "reference/sizing_field.h"
 #include "smooth/align.h"
@@ -89,13 +90,15 @@ public:
     Search(mesh::QuadMesh &mesh, reference::Reference &reference, std::int64_t wanted,
            const std::optional<reference::CrossField> &cross_field, const Settings &settings,
            const Progress &progress)
-        : mesh_(mesh), reference_(reference), settings_(hasty(settings)), progress_(progress),
-          cross_field_(cross_field), sizing_(reference::SizingField::of(mesh, reference, wanted)),
+        : mesh_(mesh), reference_(reference), settings_(hasty(settings)), patient_(settings),
+          progress_(progress), cross_field_(cross_field),
+          sizing_(reference::SizingField::of(mesh, reference, wanted)),
           sweep_(mesh, reference, target_counts(mesh, sizing_, wanted), sizing_, settings_),
           quality_(std::max(working_quality(mesh, reference), settings.min_quality)),
           near_(reference.surface_distance ? reference.surface_distance->tolerance() : 0),
           singular_before_(sweep_.singular()) {
         reference_.cross_field = cross_field_ ? &*cross_field_ : nullptr;
+        want_sizes();
     }
 
     // In the end no more singular vertices than there are now; meanwhile so many times as many.
@@ -127,6 +130,13 @@ public:
     }
 
 private:
+    void want_sizes() {
+        if (!sizing_)
+            return;
+        reference_.sizes = &*sizing_;
+        reference_.face_weight = sizing_->total(mesh_) / static_cast<double>(sweep_.wanted());
+    }
+
     // Faces go to where a size field wants them, before singularities are saved.
     void spread() {
         if (!sizing_ || !sizing_->wished())
@@ -257,8 +267,11 @@ private:
                 pass.size = size;
                 pass.most_added = level.added;
                 pass.shape = {level.shape * least_quality, 0, most_misshapen};
-                for (int k = 0; k < (level.added > 0 ? most : 1); ++k)
+                for (int k = 0; k < (level.added > 0 ? most : 1); ++k) {
                     run(pass, "mend", 0, 0);
+                    if (sweep_.tried() == 0)
+                        break;
+                }
             }
         }
         allow(levels[0]);
@@ -315,6 +328,8 @@ private:
         if (cross_field_) // who asks for the field gets it, at some distance to the surface
             smooth::align_to_field(mesh_, reference_, *cross_field_, settings_);
         mend();
+        if (sizing_ && mend_sizes(mesh_, reference_, patient_) > 0)
+            smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
         tell(1, "mend");
     }
 
@@ -358,7 +373,7 @@ private:
 
     mesh::QuadMesh &mesh_;
     reference::Reference &reference_;
-    const Settings settings_;
+    const Settings settings_, patient_; // of windows, of patches
     const Progress &progress_;
     const std::optional<reference::CrossField> &cross_field_;
     const std::optional<reference::SizingField> sizing_;

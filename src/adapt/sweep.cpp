@@ -262,6 +262,27 @@ void Sweep::follow(const refill::Replacement &taken, const mesh::QuadMesh::Repla
         vertices_.move(from, to);
 }
 
+// In parallel. What is known to be in vain counts as tried, so the search ends as it would without that.
+void Sweep::try_windows(const Pass &pass, Round &round) {
+    const std::size_t windows = round.places.size();
+    round.found.resize(windows);
+    round.traces.resize(windows);
+    const double tolerance = reference_.surface_distance ? reference_.surface_distance->tolerance() : 0;
+    std::vector<std::uint64_t> fingerprints(windows);
+    for (std::size_t i = 0; i < windows; ++i) {
+        effort_ += static_cast<std::int64_t>(round.places[i].faces.size());
+        fingerprints[i] = fingerprint(mesh_, round.places[i], *round.goals[i], pass.shape, tolerance);
+    }
+    workers_.run(windows, [&](std::size_t i, std::size_t) {
+        if (!failed_.hold(fingerprints[i]))
+            round.found[i] = refill::refill_window(mesh_, round.places[i], *round.goals[i], pass.shape,
+                                                   settings_, reference_, round.traces[i]);
+    });
+    for (std::size_t i = 0; i < windows; ++i)
+        if (!round.found[i])
+            failed_.add(fingerprints[i]);
+}
+
 // In order; a window that overlaps one refilled before it waits for another round.
 void Sweep::commit_round(const Pass &pass, const char *stage, Round &round) {
     Commits commits(mesh_, reference_);
@@ -326,14 +347,7 @@ int Sweep::run(const Pass &pass, const char *stage, const std::function<void(dou
     while (!waiting_.empty() && !(pass.purpose == Purpose::count && missing() == 0)) {
         between(1 - static_cast<double>(waiting_.size()) / static_cast<double>(seeds_.size()));
         Round round = plan_round(pass);
-        round.found.resize(round.places.size());
-        round.traces.resize(round.places.size());
-        for (const refill::Place &place : round.places)
-            effort_ += static_cast<std::int64_t>(place.faces.size());
-        workers_.run(round.places.size(), [&](std::size_t i, std::size_t) {
-            round.found[i] = refill::refill_window(mesh_, round.places[i], *round.goals[i], pass.shape,
-                                                   settings_, reference_, round.traces[i]);
-        });
+        try_windows(pass, round);
         commit_round(pass, stage, round);
     }
     log_stage(settings_, stage, {pass.size, tried_, refilled_, singular_, missing()});

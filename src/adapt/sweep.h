@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "adapt/failed_windows.h"
 #include "adapt/log.h"
 #include "mesh/renumbered.h"
 #include "parallel/workers.h"
@@ -77,6 +78,7 @@ private:
     std::vector<int> choose_seeds(const Pass &pass);
     std::optional<refill::Goal> goal_of(const Pass &pass, const std::vector<int> &faces) const;
     bool welcome(const Pass &pass, const refill::Replacement &found) const;
+    void try_windows(const Pass &pass, Round &round);
     void commit_round(const Pass &pass, const char *stage, Round &round);
     void follow(const refill::Replacement &taken, const mesh::QuadMesh::Replaced &replaced);
 
@@ -97,6 +99,7 @@ private:
     std::deque<int> waiting_;      // places in seeds_
     int tried_ = 0, refilled_ = 0; // in this run
     std::int64_t effort_ = 0;
+    FailedWindows failed_;
 };
 
 } // namespace alphamst::adapt

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <numeric>
 #include <tuple>
 
 #include "adapt/chord_prepass.h"
+#include "adapt/divide.h"
+#include "adapt/layers.h"
 #include "adapt/schedule.h"
 #include "index.h"
 #include "reference/feature_line.h"
@@ -40,7 +43,7 @@ public:
         std::optional<mesh::QuadMesh> before;
         if (may_stay())
             before = mesh_;
-        Outcome outcome = mesh_.n_faces() == 0 ? begin_ : search();
+        Outcome outcome = mesh_.n_faces() == 0 ? begin_ : search_around_layers();
         if (before && !gained(outcome)) {
             mesh_ = std::move(*before);
             outcome = begin_;
@@ -65,6 +68,27 @@ private:
         constexpr double least_gain = 0.1;
         return missing(of) == 0 && (of.singular_after < begin_.singular_before ||
                                     of.quality_after >= begin_.quality_before + least_gain);
+    }
+
+    // Boundary layers stay as they are, unless the mesh cannot have its count so.
+    Outcome search_around_layers() {
+        if (mesh_.dim() != 2 || mesh_.field(Entity::vertex, "size") != nullptr)
+            return search();
+        std::optional<mesh::QuadMesh> begun = mesh_;
+        if (hold_layers(mesh_, begin_.faces_wanted) == 0) {
+            begun.reset();
+            return search();
+        }
+        Outcome outcome = search();
+        release_layers(mesh_);
+        if (missing(outcome) == 0)
+            return outcome;
+        std::swap(mesh_, *begun);
+        const Outcome without = search();
+        if (rank(without) < rank(outcome))
+            return without;
+        mesh_ = std::move(*begun);
+        return outcome;
     }
 
     Outcome search() {
@@ -97,10 +121,41 @@ private:
             }
         }
         if (missing(outcome) != 0)
+            by_regions(outcome);
+        if (missing(outcome) != 0)
             outcome.text = "the mesh has " + std::to_string(outcome.faces_after) + " faces where " +
                            std::to_string(outcome.faces_wanted) +
-                           " were wanted; no valid filling with more or fewer was found" + limit;
+                           " were wanted; no valid filling with more or fewer was found" + limit +
+                           "; the boundary stays, but with AMST_OPT_STRATEGY 1 and AMST_OPT_EDIT_BOUNDARY "
+                           "1 chords may end on it";
         return outcome;
+    }
+
+    // From what windows came to.
+    void by_regions(Outcome &outcome) {
+        mesh::QuadMesh tried = mesh_;
+        std::vector<Patch> all(1);
+        all[0].faces.resize(at(tried.n_faces()));
+        std::iota(all[0].faces.begin(), all[0].faces.end(), 0);
+        Outcome of_parts;
+        refill_in_parts(
+            tried, all, 0, begin_.faces_wanted, settings_,
+            [this](double, const char *stage) { tell_(0.9, stage); }, of_parts);
+        const Outcome result = outcome_of(tried);
+        if (rank(result) < rank(outcome)) {
+            outcome = result;
+            mesh_ = std::move(tried);
+        }
+    }
+
+    Outcome outcome_of(mesh::QuadMesh &tried) {
+        Outcome result = begin_;
+        result.faces_after = tried.n_faces();
+        reference::count(tried, result.valences_after, result.singular_after);
+        result.quality_after = reference::least_quality(tried);
+        result.aspect_ratio_after = reference::largest_aspect_ratio(tried);
+        reference::tell_sizes_after(sizes_->error(tried), result);
+        return result;
     }
 
     Outcome attempt(mesh::QuadMesh &tried, std::optional<double> room) {
@@ -109,13 +164,7 @@ private:
             reference.surface_distance = reference::surface_distance_of(
                 tried, *reference.surface, begin_.faces_wanted, settings_.tolerance);
         run_schedule(tried, reference, {begin_.faces_wanted, exact_, room}, cross_field_, settings_, tell_);
-        Outcome result = begin_;
-        result.faces_after = tried.n_faces();
-        reference::count(tried, result.valences_after, result.singular_after);
-        result.quality_after = reference::least_quality(tried);
-        result.aspect_ratio_after = reference::largest_aspect_ratio(tried);
-        reference::tell_sizes_after(sizes_->error(tried), result);
-        return result;
+        return outcome_of(tried);
     }
 
     std::int64_t missing(const Outcome &of) const {

@@ -165,6 +165,26 @@ void Change::describe_meshes(Report &report) const {
     report.faces = {copy_->n_faces(), copy_->face_origin};
 }
 
+// Why it is not what was asked for; empty if it is.
+std::string Change::remark(const Outcome &outcome, std::size_t patch) const {
+    if (outcome.text.empty())
+        return {};
+    const int base = mesh_->context->index_base;
+    const std::string what = patches_ == nullptr
+                                 ? std::string("mesh")
+                                 : "patch " + std::to_string(patch + static_cast<std::size_t>(base));
+    return what + (outcome.fault ? " was left: " : ": ") + outcome.text;
+}
+
+// amst_last_error has the words of the first that is not what was asked for.
+void Change::record_first_remark(const std::vector<Outcome> &outcomes) const {
+    for (std::size_t p = 0; p < outcomes.size(); ++p)
+        if (const std::string text = remark(outcomes[p], p); !text.empty()) {
+            record_remark(text, patches_ == nullptr ? -1 : static_cast<int>(p), mesh_->context->index_base);
+            return;
+        }
+}
+
 void Change::log(const std::vector<Outcome> &outcomes, const std::vector<std::int32_t> &unused,
                  const Report &report) const {
     const Context &context = *mesh_->context;
@@ -175,13 +195,8 @@ void Change::log(const std::vector<Outcome> &outcomes, const std::vector<std::in
             context.log(context.log_user, level, message.c_str());
     };
     for (std::size_t p = 0; p < outcomes.size(); ++p)
-        if (outcomes[p].fault) {
-            const std::string what =
-                patches_ == nullptr
-                    ? std::string("mesh")
-                    : "patch " + std::to_string(p + static_cast<std::size_t>(context.index_base));
-            say(AMST_LOG_WARNING, std::string(name_) + ": " + what + " was left: " + outcomes[p].text);
-        }
+        if (const std::string text = remark(outcomes[p], p); !text.empty())
+            say(AMST_LOG_WARNING, std::string(name_) + ": " + text);
     for (const std::int32_t key : unused)
         say(AMST_LOG_WARNING,
             std::string(name_) + ": " + option_name(key) + " was set and has no effect on this call");
@@ -203,6 +218,8 @@ amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
     log(outcomes, unused, made->impl);
     progress_(1, "commit"); // last, so that a log function can cancel, too
     const amst_status status = made->impl.all.status;
+    if (status == AMST_PARTIAL)
+        record_first_remark(outcomes);
     commit();
     if (report != nullptr)
         *report = made.release();

@@ -161,6 +161,13 @@ amst_status record_exception(int index_base) noexcept {
     }
 }
 
+void record_remark(const std::string &text, int patch, int index_base) noexcept {
+    slot.entity = AMST_ENTITY_NONE;
+    slot.id = index_base - 1;
+    slot.patch = patch < 0 ? index_base - 1 : clamped(patch + index_base);
+    keep(text.c_str());
+}
+
 void require_array(const void *array, std::int64_t count, const char *array_name, const char *count_name) {
     if (count < 0)
         throw Failure(Fault::range, std::string(count_name) + " is negative: " + std::to_string(count));

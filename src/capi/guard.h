@@ -38,6 +38,8 @@ std::string with_ids(const Failure &failure, int index_base);
 // Keeps the exception under way as this thread's last error and names its status.
 // To be called in a catch block only.
 amst_status record_exception(int index_base) noexcept;
+// What a call that succeeds has to say; patch: -1 if it is about none.
+void record_remark(const std::string &text, int patch, int index_base) noexcept;
 
 // Runs body, which returns nothing or a status.
 template <typename Body> amst_status guarded(int index_base, Body &&body) noexcept {

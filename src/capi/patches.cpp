@@ -52,7 +52,7 @@ std::vector<char> taken(const Patches &patches) {
 // Appends the patch that these faces, none of them taken, make.
 void add(Patches &patches, Faces faces, const std::vector<char> &taken, amst_id *patch) {
     if (!faces.empty() && patches.options.repair_patches)
-        faces = patch::repair(*patches.mesh->current, std::move(faces), taken);
+        faces = patch::repair_but_rings(*patches.mesh->current, std::move(faces), taken);
     if (faces.empty())
         throw Failure(Fault::patch, "the patch would be empty: no face that is free was found, or none that "
                                     "makes a disk with others");

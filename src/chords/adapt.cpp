@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <queue>
+#include <string>
 #include <unordered_map>
 
 #include "chords/edit.h"
@@ -279,7 +280,13 @@ Outcome adapt_chords(mesh::QuadMesh &mesh, double alpha, std::int64_t most_faces
     progress(0.9, "smooth");
     smooth_or_leave(mesh, settings);
     progress(1, "smooth");
-    return account.close(mesh, wanted);
+    Outcome outcome = account.close(mesh, wanted);
+    if (outcome.faces_after != wanted)
+        outcome.text = "by whole chords it came to " + std::to_string(outcome.faces_after) + " of " +
+                       std::to_string(wanted) +
+                       " faces; those that are left would pass that number, or are held by boundary, "
+                       "features or markers";
+    return outcome;
 }
 
 } // namespace alphamst::chords

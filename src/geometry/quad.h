@@ -16,6 +16,8 @@ inline Eigen::Vector3d area_vector(const Quad &quad) {
     return (quad[2] - quad[0]).cross(quad[3] - quad[1]) / 2;
 }
 
+inline Eigen::Vector3d centre(const Quad &quad) { return (quad[0] + quad[1] + quad[2] + quad[3]) / 4; }
+
 // A point of a quad as an average of its corners, none of negative weight.
 struct QuadPoint {
     std::array<double, 4> weights{}; // of the corners; their sum is 1

@@ -1,7 +1,7 @@
 // The full test, and the digest.
-#include <bit>
 #include <cmath>
 
+#include "digest.h"
 #include "mesh/link.h"
 #include "quality/corner.h"
 
@@ -122,25 +122,6 @@ void check_orientation(const QuadMesh &mesh) {
     }
 }
 
-// 64-bit words, each stirred with the finalizer of splitmix64 (Steele, Lea and Flood 2014).
-class Digest {
-public:
-    void add(std::uint64_t word) {
-        state_ += word + 0x9e3779b97f4a7c15u;
-        state_ = (state_ ^ (state_ >> 30)) * 0xbf58476d1ce4e5b9u;
-        state_ = (state_ ^ (state_ >> 27)) * 0x94d049bb133111ebu;
-        state_ ^= state_ >> 31;
-    }
-    void add(std::int32_t high, std::int32_t low) {
-        add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(high)) << 32 |
-            static_cast<std::uint32_t>(low));
-    }
-    std::uint64_t value() const { return state_; }
-
-private:
-    std::uint64_t state_ = 0;
-};
-
 std::int32_t marker_of(const std::vector<std::int32_t> &markers, std::size_t i) {
     return markers.empty() ? 0 : markers[i];
 }
@@ -174,7 +155,7 @@ std::uint64_t QuadMesh::checksum() const {
     digest.add(kernel_.n_faces());
     for (int v = 0; v < n_vertices(); ++v) {
         for (const double x : point(v))
-            digest.add(std::bit_cast<std::uint64_t>(x));
+            digest.add_real(x);
         digest.add(vertex_flags[static_cast<std::size_t>(v)]);
     }
     for (int f = 0; f < n_faces(); ++f) {

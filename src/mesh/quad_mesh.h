@@ -31,7 +31,8 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 using Kernel = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
 
-enum Flag : std::uint8_t { fixed = 1, feature = 2, corner = 4 };
+// held: of faces that are fixed only while an operation is under way.
+enum Flag : std::uint8_t { fixed = 1, feature = 2, corner = 4, held = 8 };
 
 // A copy is deep, and so is a move: OpenMesh's kernel has no move constructor.
 class QuadMesh {

@@ -27,6 +27,9 @@ std::vector<int> box(const mesh::QuadMesh &mesh, const std::array<double, 3> &lo
 // enclosed holes that are free, drops faces at pinches and, where a flag, marker or
 // region border runs inside, keeps the largest side. May return an empty set.
 std::vector<int> repair(const mesh::QuadMesh &mesh, std::vector<int> faces, Taken taken);
+// The same, but what encloses a hole of two faces or more, and of more than a tenth of its own, stays as it
+// is: a ring is meant.
+std::vector<int> repair_but_rings(const mesh::QuadMesh &mesh, std::vector<int> faces, Taken taken);
 
 // Decompositions: disjoint disks, repaired, of about `size` faces that are not taken.
 //

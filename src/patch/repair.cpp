@@ -2,6 +2,7 @@
 #include "patch/region.h"
 #include "patch/window.h"
 
+#include <limits>
 #include <queue>
 #include <unordered_set>
 
@@ -61,8 +62,10 @@ private:
     std::unordered_set<int> seen_, open_;
 };
 
-// The region with its enclosed holes. The largest gap of a closed surface is its outside.
-std::vector<int> fill_holes(const mesh::QuadMesh &mesh, const Region &region, Taken taken) {
+// The region with its enclosed holes of so many faces at most. The largest gap of a closed surface is its
+// outside.
+std::vector<int> fill_holes(const mesh::QuadMesh &mesh, const Region &region, Taken taken,
+                            std::size_t largest = std::numeric_limits<std::size_t>::max()) {
     std::vector<Gap> gaps = Gaps(mesh, region, taken).found;
     bool bounded = std::any_of(region.boundary.begin(), region.boundary.end(),
                                [&](Halfedge h) { return right(mesh, h) < 0; });
@@ -74,7 +77,7 @@ std::vector<int> fill_holes(const mesh::QuadMesh &mesh, const Region &region, Ta
         })->open = true;
     std::vector<int> faces = region.faces;
     for (const Gap &gap : gaps)
-        if (!gap.open && gap.usable)
+        if (!gap.open && gap.usable && gap.faces.size() <= largest)
             faces.insert(faces.end(), gap.faces.begin(), gap.faces.end());
     return sorted_unique(faces);
 }
@@ -157,11 +160,15 @@ int deepest(const mesh::QuadMesh &mesh, const Region &region) {
     }
 }
 
+std::vector<int> largest_free_part(const mesh::QuadMesh &mesh, std::vector<int> faces, Taken taken) {
+    std::erase_if(faces, [&](int face) { return !taken.empty() && taken[static_cast<std::size_t>(face)]; });
+    return largest_part(mesh, sorted_unique(faces), false);
+}
+
 } // namespace
 
 std::vector<int> repair(const mesh::QuadMesh &mesh, std::vector<int> faces, Taken taken) {
-    std::erase_if(faces, [&](int face) { return !taken.empty() && taken[static_cast<std::size_t>(face)]; });
-    faces = largest_part(mesh, sorted_unique(faces), false);
+    faces = largest_free_part(mesh, std::move(faces), taken);
     if (faces.empty() || defects(mesh, faces) == 0)
         return faces;
 
@@ -170,6 +177,18 @@ std::vector<int> repair(const mesh::QuadMesh &mesh, std::vector<int> faces, Take
     if (defects(mesh, faces) != 0)
         faces = Disk(mesh, faces).grow(deepest(mesh, Region(mesh, faces)));
     return faces;
+}
+
+std::vector<int> repair_but_rings(const mesh::QuadMesh &mesh, std::vector<int> faces, Taken taken) {
+    constexpr std::size_t part = 10;
+    faces = largest_free_part(mesh, std::move(faces), taken);
+    if (faces.empty() || defects(mesh, faces) == 0)
+        return faces;
+    const std::vector<int> filled =
+        fill_holes(mesh, Region(mesh, faces), taken, std::max<std::size_t>(1, faces.size() / part));
+    if ((defects(mesh, filled) & ~not_disk) == 0)
+        return filled;
+    return repair(mesh, std::move(faces), taken);
 }
 
 } // namespace alphamst::patch

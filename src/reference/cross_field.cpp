@@ -35,7 +35,7 @@ double CrossField::alignment_error(std::span<const geometry::Quad> quads) const 
     std::size_t sides = 0;
     for (const geometry::Quad &quad : quads) {
         const Eigen::Vector3d normal = geometry::area_vector(quad).normalized(),
-                              cross = at((quad[0] + quad[1] + quad[2] + quad[3]) / 4);
+                              cross = at(geometry::centre(quad));
         for (std::size_t k = 0; k < 4; ++k, ++sides) {
             const Eigen::Vector3d side = quad[(k + 1) % 4] - quad[k];
             // Across the normal as along it, four times around.

@@ -16,6 +16,7 @@
 namespace alphamst::reference {
 
 class CrossField;
+class RegionSizes;
 class SizingField;
 
 struct Reference {
@@ -23,8 +24,10 @@ struct Reference {
     // Where there is no plane: the surface, and the triangle of it under each vertex of the mesh.
     std::shared_ptr<const surface::Surface> surface;
     std::vector<int> surface_triangles;
-    const CrossField *cross_field = nullptr; // to which edges shall turn, if there are any
-    const SizingField *sizes = nullptr;      // of the caller, for patches
+    const CrossField *cross_field = nullptr;   // to which edges shall turn, if there are any
+    const SizingField *sizes = nullptr;        // of the caller, for patches; of windows in a plane
+    const RegionSizes *region_sizes = nullptr; // of a region whose parts are patches; these come first
+    double face_weight = 0;                    // by these sizes, of a face as it is wanted
     // Patches that are flat lie in their plane, though the mesh keeps to a surface.
     bool planes_first = false;
     std::optional<SurfaceDistance> surface_distance; // where the whole of it is to stay covered

@@ -58,11 +58,8 @@ void tell_sizes_after(const SizeError &error, Outcome &outcome) {
 
 WholeSizes::WholeSizes(const mesh::QuadMesh &mesh, Reference reference, std::int64_t wanted)
     : reference_(std::move(reference)), density_(SizingField::of(mesh, reference_, wanted)) {
-    std::vector<int> all(at(mesh.n_faces()));
-    std::iota(all.begin(), all.end(), 0);
-    const std::vector<double> weights = density_->weights(mesh, all);
-    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    log_factor_ = std::log(std::max(sum, no_area) / static_cast<double>(std::max<std::int64_t>(1, wanted)));
+    log_factor_ = std::log(std::max(density_->total(mesh), no_area) /
+                           static_cast<double>(std::max<std::int64_t>(1, wanted)));
 }
 
 SizeError WholeSizes::error(const mesh::QuadMesh &mesh) {

@@ -109,11 +109,22 @@ double SizingField::of_face(const mesh::QuadMesh &mesh, int face) const {
     return reference_ ? sum : at(middle);
 }
 
+double SizingField::weight(const geometry::Quad &quad) const {
+    return geometry::area_vector(quad).norm() * at(geometry::centre(quad));
+}
+
 std::vector<double> SizingField::weights(const mesh::QuadMesh &mesh, std::span<const int> faces) const {
     std::vector<double> weights;
     for (const int f : faces)
         weights.push_back(geometry::area_vector(quad_of(mesh, f)).norm() * of_face(mesh, f));
     return weights;
+}
+
+double SizingField::total(const mesh::QuadMesh &mesh) const {
+    std::vector<int> all(alphamst::at(mesh.n_faces()));
+    std::iota(all.begin(), all.end(), 0);
+    const std::vector<double> each = weights(mesh, all);
+    return std::accumulate(each.begin(), each.end(), 0.0);
 }
 
 } // namespace alphamst::reference

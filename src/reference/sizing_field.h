@@ -23,9 +23,13 @@ public:
     bool wished() const { return wished_; }
 
     double of_face(const mesh::QuadMesh &mesh, int face) const;
+    // In a plane, of any quad: its area times its density.
+    double weight(const geometry::Quad &quad) const;
 
     // Of each face: its area times its density.
     std::vector<double> weights(const mesh::QuadMesh &mesh, std::span<const int> faces) const;
+    // Of all faces together.
+    double total(const mesh::QuadMesh &mesh) const;
 
 private:
     SizingField(const mesh::QuadMesh &mesh, std::vector<double> sizes, bool wished);

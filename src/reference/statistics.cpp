@@ -66,13 +66,26 @@ double least_of(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry:
 } // namespace
 
 void count(const mesh::QuadMesh &mesh, std::map<int, std::int64_t> &valences, std::int64_t &singular) {
-    for (int v = 0; v < mesh.n_vertices(); ++v) {
-        if (mesh.isolated(v) || mesh.on_boundary(v))
-            continue;
-        const int valence = mesh.valence(v);
-        ++valences[valence];
-        singular += valence != 4;
-    }
+    valences.clear();
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        if (!mesh.isolated(v) && !mesh.on_boundary(v))
+            ++valences[mesh.valence(v)];
+    singular = reference::singular(valences);
+}
+
+void count(const mesh::QuadMesh &mesh, std::span<const int> faces, std::map<int, std::int64_t> &valences,
+           std::int64_t &singular) {
+    std::vector<int> vertices;
+    for (const int f : faces)
+        for (const int v : mesh.corners(f))
+            if (!mesh.on_boundary(v))
+                vertices.push_back(v);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    valences.clear();
+    for (const int v : vertices)
+        ++valences[mesh.valence(v)];
+    singular = reference::singular(valences);
 }
 
 std::int64_t singular(const std::map<int, std::int64_t> &valences) {

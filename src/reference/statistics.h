@@ -16,6 +16,10 @@ namespace alphamst::reference {
 // Interior vertices by valence, and the singular ones.
 void count(const mesh::QuadMesh &mesh, std::map<int, std::int64_t> &valences, std::int64_t &singular);
 
+// The same of the vertices of some faces, those on their border included.
+void count(const mesh::QuadMesh &mesh, std::span<const int> faces, std::map<int, std::int64_t> &valences,
+           std::int64_t &singular);
+
 // Those of valence other than 4.
 std::int64_t singular(const std::map<int, std::int64_t> &valences);
 

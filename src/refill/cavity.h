@@ -14,12 +14,14 @@
 #include "outcome.h"
 #include "patch/window.h"
 #include "reference/reference.h"
+#include "reference/region_sizes.h"
 #include "refill/chart.h"
 #include "refill/coarsen.h"
 #include "refill/goal.h"
-#include "refill/sizes.h"
 
 namespace alphamst::refill {
+
+using reference::SizeError;
 
 // A fault of the patch and its sentence, on the way to the outcome.
 struct Refusal {
@@ -57,6 +59,9 @@ public:
 
     // Where fillings come from, best first, all made only when asked for.
     std::vector<Generator> generators() const;
+
+    // Counts between the wanted one and the present one, the nearest to the wanted one first.
+    std::vector<std::int64_t> nearest_counts() const;
 
     // The filling that is there, if it has the wanted numbers.
     std::optional<Candidate> present() const;
@@ -158,7 +163,8 @@ private:
     std::optional<Chart> chart_; // of a curved one
     geometry::SurfacePositions old_on_surface_;
     geometry::Points old_positions_; // loop, then interior, in the plane or the chart
-    std::optional<Sizes> sizes_;     // in the plane of a flat patch, in the space of a curved one
+    std::optional<reference::RegionSizes>
+        sizes_; // in the plane of a flat patch, in the space of a curved one
     double least_sine_ = 0;
     bool corners_given_ = false;
     std::unordered_map<int, int> local_; // vertex of the mesh -> of old

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "reference/statistics.h"
+
 namespace alphamst::refill {
 namespace {
 
@@ -27,6 +29,8 @@ constexpr std::int64_t most_effort = 3000;
 // Before a patch is left. Of large patches so many fillings are laid out all the same.
 constexpr std::int64_t most_hope = 10000;
 constexpr int least_layouts = 4;
+// On a surface a layout takes five times as long, and what a few do not find is found in parts.
+constexpr std::int64_t most_hope_on_surface = 2000;
 // What a new filling must be better by than one that can stay.
 constexpr double least_gain = 1;
 // Of sizes against shapes: the first, and those where it costs a corner.
@@ -39,8 +43,6 @@ constexpr double price_of_turn = 0.25;
 constexpr int most_compared = 4;
 // log2 of the smallest face over what is wanted, below which each halving costs so much.
 constexpr double small = -2, price_of_small = 8;
-// And below which a filling is refused, unless there is one like that already: no time step falls by more.
-constexpr double too_small = -3;
 // Fillings of a level that are compared: their order by stretch says something.
 constexpr int most_of_level = 5;
 // A smallest scaled Jacobian (Verdict's acceptable one) above which other generators are not asked.
@@ -50,17 +52,10 @@ constexpr double any_shape = 0, any_number = 1e18;
 
 } // namespace
 
-std::int64_t singular_of(const std::map<int, std::int64_t> &valences) {
-    std::int64_t sum = 0;
-    for (const auto &[valence, count] : valences)
-        sum += valence != 4 ? count : 0;
-    return sum;
-}
-
 FillingChoice::FillingChoice(const Cavity &cavity, Evaluator &evaluator, Trace &trace, const Goal &goal,
                              const Settings &settings)
     : cavity_(cavity), evaluator_(evaluator), trace_(trace), goal_(goal), settings_(settings),
-      present_(cavity.present()), singular_before_(singular_of(cavity.valences(cavity.old))),
+      present_(cavity.present()), singular_before_(reference::singular(cavity.valences(cavity.old))),
       price_(goal.any_count ? saving : 1), best_score_(std::numeric_limits<double>::infinity()) {
     const SizeError old = cavity.old_size_error();
     old_least_ = old.least;
@@ -103,7 +98,8 @@ Chosen FillingChoice::run() {
 }
 
 bool FillingChoice::spent() const {
-    return layouts_ >= least_layouts && effort_ >= (best_.evaluation ? most_effort : most_hope);
+    const std::int64_t hope = cavity_.curved() ? most_hope_on_surface : most_hope;
+    return layouts_ >= least_layouts && effort_ >= (best_.evaluation ? most_effort : hope);
 }
 
 bool FillingChoice::over() const { return good() || spent(); }
@@ -172,7 +168,7 @@ bool FillingChoice::add(PlacedFilling shape, std::vector<Ranked> &pool) {
     if (!cavity_.fits(filling))
         return false;
     ++offered_;
-    ranked.singular = singular_of(cavity_.valences(filling));
+    ranked.singular = reference::singular(cavity_.valences(filling));
     if (present_ && ranked.singular > singular_before_)
         return false;
     const double most_quality = cavity_.most_quality(filling);
@@ -229,7 +225,7 @@ std::optional<Evaluation> FillingChoice::evaluate(const Ranked &ranked, double s
 }
 
 bool FillingChoice::is_too_small(const Evaluation &evaluation) const {
-    return evaluation.size_error.least < std::min(too_small, old_least_);
+    return evaluation.size_error.least < std::min(reference::too_small, old_least_);
 }
 
 void FillingChoice::lay_out(std::vector<Ranked> &pool) {

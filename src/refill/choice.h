@@ -14,8 +14,6 @@
 
 namespace alphamst::refill {
 
-std::int64_t singular_of(const std::map<int, std::int64_t> &valences);
-
 // What was taken. Without an evaluation nothing is better than what is there.
 struct Chosen {
     std::optional<Evaluation> evaluation;

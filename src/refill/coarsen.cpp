@@ -25,11 +25,12 @@ public:
             enter(q);
     }
 
-    bool reach(std::int64_t faces) {
+    // As far as quads can go; returns how many are left.
+    std::int64_t reach(std::int64_t faces) {
         auto left = static_cast<std::int64_t>(quads_.size());
         while (left > faces) {
             if (queue_.empty())
-                return false;
+                break;
             const Entry best = *queue_.begin();
             if (!collapse(best.quad, best.corner)) {
                 queue_.erase(queue_.begin()); // until something changes around it
@@ -38,7 +39,7 @@ public:
             }
             --left;
         }
-        return true;
+        return left;
     }
 
     PlacedFilling result() const {
@@ -243,9 +244,17 @@ private:
 } // namespace
 
 std::optional<Coarse> coarsen(const fill::Request &request, const PlacedFilling &old, std::uint64_t seed) {
+    std::optional<Coarse> coarse = coarsen_towards(request, old, seed);
+    if (coarse && static_cast<std::int64_t>(coarse->shape.filling.quads.size()) != request.faces)
+        coarse.reset();
+    return coarse;
+}
+
+std::optional<Coarse> coarsen_towards(const fill::Request &request, const PlacedFilling &old,
+                                      std::uint64_t seed) {
+    const auto faces = static_cast<std::int64_t>(old.filling.quads.size());
     Collapser collapser(request, old, seed);
-    if (static_cast<std::int64_t>(old.filling.quads.size()) <= request.faces ||
-        !collapser.reach(request.faces))
+    if (collapser.reach(request.faces) == faces)
         return std::nullopt;
     return Coarse{collapser.result(), collapser.irregular()};
 }

@@ -24,5 +24,8 @@ struct Coarse {
 // `old` collapsed to request.faces faces; nothing if it cannot be. Different seeds give
 // different ones.
 std::optional<Coarse> coarsen(const fill::Request &request, const PlacedFilling &old, std::uint64_t seed);
+// The same, but with more faces where quads can collapse no further; nothing if none can.
+std::optional<Coarse> coarsen_towards(const fill::Request &request, const PlacedFilling &old,
+                                      std::uint64_t seed);
 
 } // namespace alphamst::refill

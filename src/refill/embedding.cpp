@@ -124,7 +124,7 @@ std::vector<double> Cavity::areas(const fill::Filling &filling,
     std::vector<double> areas;
     double sum = 0;
     for (const geometry::Quad &q : quads_of(filling, on_surface.points)) {
-        areas.push_back(sizes_->at((q[0] + q[1] + q[2] + q[3]) / 4));
+        areas.push_back(sizes_->at(geometry::centre(q)));
         sum += areas.back();
     }
     const double total = geometry::total_area(filling.quads, on_surface);
@@ -146,8 +146,14 @@ void Cavity::want_sizes() {
     for (std::size_t v = 0; !curved() && v < old_positions_.size(); ++v)
         places.emplace_back(old_positions_[v].x(), old_positions_[v].y(), 0);
     std::vector<double> areas;
-    for (std::size_t f = 0; reference_.sizes != nullptr && f < window.faces.size(); ++f)
-        areas.push_back(1 / reference_.sizes->of_face(mesh_, window.faces[f]));
+    for (const int f : window.faces) {
+        if (reference_.region_sizes != nullptr) {
+            const geometry::Quad q = reference::quad_of(mesh_, f);
+            areas.push_back(reference_.region_sizes->at(geometry::centre(q)));
+        } else if (reference_.sizes != nullptr) {
+            areas.push_back(1 / reference_.sizes->of_face(mesh_, f));
+        }
+    }
     sizes_.emplace(old, places, static_cast<double>(goal_.faces), std::move(areas));
 }
 
@@ -165,7 +171,7 @@ std::vector<double> Cavity::wanted_areas(const fill::Filling &filling,
     std::vector<double> areas;
     for (std::size_t f = 0; f < quads.size(); ++f) {
         const geometry::Quad &q = quads[f];
-        areas.push_back(sizes_->at((q[0] + q[1] + q[2] + q[3]) / 4));
+        areas.push_back(sizes_->at(geometry::centre(q)));
         // The chart stretches areas.
         if (curved())
             areas.back() *=

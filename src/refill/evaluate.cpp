@@ -59,7 +59,7 @@ Evaluator::Evaluator(const mesh::QuadMesh &mesh, const Cavity &cavity, const Buf
 }
 
 double Evaluator::distance_of(const geometry::Quad &quad, int surface_triangle) const {
-    return cavity_.surface().follow((quad[0] + quad[1] + quad[2] + quad[3]) / 4, surface_triangle).distance;
+    return cavity_.surface().follow(geometry::centre(quad), surface_triangle).distance;
 }
 
 bool Evaluator::fits(const fill::Filling &filling) {
@@ -86,7 +86,7 @@ CavityEmbedding Evaluator::embed(const PlacedFilling &candidate, double size_wei
 void Evaluator::fit(const fill::Filling &filling, CavityEmbedding &embedding) const {
     std::vector<Eigen::Vector3d> middles;
     for (const geometry::Quad &q : buffer_.quads(filling, embedding))
-        middles.push_back((q[0] + q[1] + q[2] + q[3]) / 4);
+        middles.push_back(geometry::centre(q));
     middles.resize(filling.quads.size());
     const reference::PointTree tree(std::move(middles));
     std::vector<geometry::Sample> samples;

@@ -1,5 +1,6 @@
 // Where the fillings of a patch come from, best first, all made only when asked for.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -75,6 +76,25 @@ std::vector<Cavity::Generator> Cavity::generators() const {
         list.push_back(templates(std::move(near)));
     }
     return list;
+}
+
+// Where the wanted number is out of reach, what quads of the present filling can collapse to tells how far
+// the boundary allows to go.
+std::vector<std::int64_t> Cavity::nearest_counts() const {
+    // Of the way back; a few, as each takes as long as the wanted count did.
+    constexpr double parts[] = {0, 0.125, 0.25, 0.5};
+    const auto now = static_cast<std::int64_t>(old.quads.size());
+    std::int64_t first = goal_.faces;
+    if (first < now)
+        if (const auto coarse = coarsen_towards(request(), {old, old_positions_}, settings_.seed))
+            first = static_cast<std::int64_t>(coarse->shape.filling.quads.size());
+    std::vector<std::int64_t> counts;
+    for (const double part : parts) {
+        const std::int64_t count = first + std::llround(part * static_cast<double>(now - first));
+        if (count != goal_.faces && count != now && (counts.empty() || count != counts.back()))
+            counts.push_back(count);
+    }
+    return counts;
 }
 
 std::optional<Cavity::Candidate> Cavity::present() const {

@@ -10,9 +10,11 @@ struct Goal {
     std::int64_t faces = 0;    // wanted
     bool any_count = false;    // fewest singularities first, faces only as near as possible
     bool keep_quality = false; // prefer fillings whose smallest scaled Jacobian is not below the old one
-    bool sizes = false;        // faces get the areas that Sizes wants
+    bool sizes = false;        // faces get the areas that RegionSizes wants
     bool forbid_old = false;   // the old filling is no answer
     bool turn = false;         // towards the cross field of the reference
+    bool or_nearest = false;   // where that many faces cannot be had, as near to it as can be
+    bool last_try = true;      // otherwise it is asked for again with a larger tolerance of distances
     bool collapse = false;     // quads of the old filling collapsed, nothing else
     std::int64_t fewest = 0, most = 0; // any_count: faces in this range; 0: from half to twice as many
     int most_added = 1 << 20;          // singularities, those of the mesh boundary included

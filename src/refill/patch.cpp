@@ -24,12 +24,6 @@ std::int64_t bound(const Cavity &cavity, const mesh::QuadMesh &mesh) {
     return forced;
 }
 
-Proposal finish(Proposal proposal, std::chrono::steady_clock::time_point start) {
-    proposal.outcome.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return proposal;
-}
-
 // The faces around a patch matter where features run along its border.
 std::vector<int> buffer_of(const mesh::QuadMesh &mesh, const Cavity &cavity) {
     if (!mesh.curves || !cavity.curved())
@@ -54,6 +48,16 @@ std::vector<double> in_order_of(const Patch &patch, const Cavity &cavity, const 
     return ordered;
 }
 
+// What is there before.
+void tell_present(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity, Outcome &outcome) {
+    outcome.valences_before = outcome.valences_after = cavity.valences(cavity.old);
+    outcome.singular_before = outcome.singular_after = reference::singular(outcome.valences_before);
+    outcome.singular_bound = bound(cavity, mesh);
+    outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
+    reference::tell_sizes_before(cavity.old_size_error(), outcome);
+    outcome.size_errors = in_order_of(patch, cavity, outcome.size_errors);
+}
+
 // Faces, shapes and sizes of what comes in the place of the patch.
 void tell_taken(const mesh::QuadMesh &mesh, const Patch &patch, const Replacement &taken,
                 const SizeError &sizes, Outcome &outcome) {
@@ -67,6 +71,70 @@ void tell_taken(const mesh::QuadMesh &mesh, const Patch &patch, const Replacemen
                                                    reference::time_step(mesh, loop, quads, taken.points));
 }
 
+// nearest: gets other numbers of faces to try where that one cannot be had and others would do.
+Proposal propose_exactly(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal,
+                         const Settings &settings, const reference::Reference &reference,
+                         std::vector<std::int64_t> &nearest) {
+    Proposal proposal;
+    Outcome &outcome = proposal.outcome;
+    outcome.faces_before = outcome.faces_after = static_cast<std::int64_t>(patch.faces.size());
+    outcome.faces_wanted = goal.faces;
+    outcome.aspect_ratio_before = outcome.aspect_ratio_after =
+        reference::largest_aspect_ratio(mesh, patch.faces);
+    std::optional<Cavity> cavity;
+    try {
+        cavity.emplace(mesh, patch, goal, settings, reference);
+        tell_present(mesh, patch, *cavity, outcome);
+        const BufferRing buffer(mesh, *cavity, buffer_of(mesh, *cavity), true);
+        Evaluator evaluator(mesh, *cavity, buffer, settings, proposal.trace);
+        Chosen best = FillingChoice(*cavity, evaluator, proposal.trace, goal, settings).run();
+        proposal.unchanged = !best.evaluation;
+        if (proposal.unchanged)
+            return proposal;
+        proposal.replacement = std::move(best.evaluation->replacement);
+        tell_taken(mesh, patch, proposal.replacement, best.evaluation->size_error, outcome);
+        outcome.valences_after = std::move(best.valences);
+        outcome.singular_after = reference::singular(outcome.valences_after);
+        outcome.candidate = best.number;
+    } catch (const Refusal &refusal) {
+        outcome.fault = refusal.fault;
+        outcome.text = refusal.text;
+        const bool is_last = goal.last_try || proposal.trace.of(Refused::distance) == 0;
+        if (cavity && goal.or_nearest && is_last)
+            nearest = cavity->nearest_counts();
+    }
+    return proposal;
+}
+
+// The first whose shapes do, else the one with the best.
+void take_nearest(const mesh::QuadMesh &mesh, const Patch &patch, Goal goal, const Settings &settings,
+                  const reference::Reference &reference, const std::vector<std::int64_t> &nearest,
+                  Proposal &proposal) {
+    // Smallest scaled Jacobians: Verdict's acceptable one less what tight boundaries cost, and one that is
+    // not worth a few faces less.
+    constexpr double enough = 0.2, least = 0.1;
+    const std::string reason = proposal.outcome.text;
+    const std::int64_t wanted = goal.faces;
+    const double does = std::min(enough, proposal.outcome.quality_before);
+    for (const std::int64_t count : nearest) {
+        goal.faces = count;
+        std::vector<std::int64_t> none;
+        Proposal other = propose_exactly(mesh, patch, goal, settings, reference, none);
+        if (other.outcome.fault || other.outcome.faces_after == other.outcome.faces_before ||
+            other.outcome.quality_after < std::min(least, does) ||
+            (!proposal.outcome.fault && other.outcome.quality_after <= proposal.outcome.quality_after))
+            continue;
+        proposal = std::move(other);
+        if (proposal.outcome.quality_after >= does)
+            break;
+    }
+    if (proposal.outcome.fault)
+        return;
+    proposal.outcome.faces_wanted = wanted;
+    proposal.outcome.text =
+        reason + "; the nearest number of faces is " + std::to_string(proposal.outcome.faces_after);
+}
+
 } // namespace
 
 std::int64_t wanted_faces(double alpha, std::size_t faces) {
@@ -76,38 +144,15 @@ std::int64_t wanted_faces(double alpha, std::size_t faces) {
 Proposal propose(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal, const Settings &settings,
                  const reference::Reference &reference) {
     const auto start = std::chrono::steady_clock::now();
-    Proposal proposal;
-    Outcome &outcome = proposal.outcome;
-    Goal sized = goal;
-    sized.sizes = true;
-    outcome.faces_before = outcome.faces_after = static_cast<std::int64_t>(patch.faces.size());
-    outcome.faces_wanted = goal.faces;
-    outcome.aspect_ratio_before = outcome.aspect_ratio_after =
-        reference::largest_aspect_ratio(mesh, patch.faces);
-    try {
-        const Cavity cavity(mesh, patch, sized, settings, reference);
-        outcome.valences_before = outcome.valences_after = cavity.valences(cavity.old);
-        outcome.singular_before = outcome.singular_after = singular_of(outcome.valences_before);
-        outcome.singular_bound = bound(cavity, mesh);
-        outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, patch.faces);
-        reference::tell_sizes_before(cavity.old_size_error(), outcome);
-        outcome.size_errors = in_order_of(patch, cavity, outcome.size_errors);
-        const BufferRing buffer(mesh, cavity, buffer_of(mesh, cavity), true);
-        Evaluator evaluator(mesh, cavity, buffer, settings, proposal.trace);
-        Chosen best = FillingChoice(cavity, evaluator, proposal.trace, sized, settings).run();
-        proposal.unchanged = !best.evaluation;
-        if (proposal.unchanged)
-            return finish(std::move(proposal), start);
-        proposal.replacement = std::move(best.evaluation->replacement);
-        tell_taken(mesh, patch, proposal.replacement, best.evaluation->size_error, outcome);
-        outcome.valences_after = std::move(best.valences);
-        outcome.singular_after = singular_of(outcome.valences_after);
-        outcome.candidate = best.number;
-    } catch (const Refusal &refusal) {
-        outcome.fault = refusal.fault;
-        outcome.text = refusal.text;
-    }
-    return finish(std::move(proposal), start);
+    Goal asked = goal;
+    asked.sizes = true;
+    std::vector<std::int64_t> nearest;
+    Proposal proposal = propose_exactly(mesh, patch, asked, settings, reference, nearest);
+    if (!nearest.empty())
+        take_nearest(mesh, patch, asked, settings, reference, nearest, proposal);
+    proposal.outcome.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return proposal;
 }
 
 mesh::QuadMesh::Replaced commit(mesh::QuadMesh &mesh, const Replacement &replacement) {

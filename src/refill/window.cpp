@@ -1,7 +1,12 @@
 #include "refill/window.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "reference/cross_field.h"
 #include "reference/locate.h"
+#include "reference/size_error.h"
 
 namespace alphamst::refill {
 namespace {
@@ -10,6 +15,7 @@ constexpr double least_gain = 0.05; // of the scaled Jacobian
 // Degrees: what a window that turns gains at least. Fillings that are compared for that.
 constexpr double least_turn = 2, right_angle = 90;
 constexpr int most_compared = 4;
+constexpr int most_weighed = 8; // within a window densities hardly differ as much as areas in a web do
 
 std::vector<geometry::Quad> quads_of(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
     std::vector<geometry::Quad> quads;
@@ -23,8 +29,8 @@ class Search {
 public:
     Search(const mesh::QuadMesh &mesh, const Place &place, const Cavity &cavity, const Goal &goal,
            const ShapeBounds &wanted, const Settings &settings, Evaluator &evaluator, Trace &trace)
-        : cavity_(cavity), goal_(goal), wanted_(wanted), settings_(settings), evaluator_(evaluator),
-          trace_(trace), cross_field_(cavity.reference().cross_field) {
+        : mesh_(mesh), cavity_(cavity), goal_(goal), wanted_(wanted), settings_(settings),
+          evaluator_(evaluator), trace_(trace), cross_field_(cavity.reference().cross_field) {
         const ShapeBounds &before = evaluator.before();
         // Where the old filling is no answer, it is to be bettered.
         const double gain = goal.forbid_old ? least_gain : 0;
@@ -61,6 +67,10 @@ private:
         const int gain = std::max(0, -change) + std::max(before.inverted, evaluator_.inverted_at_features());
         bounds_.poor = before.poor + gain * wanted_.poor;
         auto evaluation = evaluator_.evaluate(shape, bounds_);
+        if (evaluation && shrinks(evaluation->replacement)) {
+            trace_.refuse(Refused::size);
+            evaluation.reset();
+        }
         if (!evaluation)
             return ++tried_ >= settings_.candidates;
         if (cross_field_ == nullptr || evaluation->replacement.alignment_error < alignment_error_) {
@@ -70,6 +80,38 @@ private:
         return cross_field_ == nullptr || ++compared_ >= most_compared;
     }
 
+    // Some face becomes far smaller than is wanted, and smaller than any is now.
+    bool shrinks(const Replacement &replacement) const {
+        const reference::Reference &reference = cavity_.reference();
+        if (reference.sizes == nullptr || cavity_.curved())
+            return false;
+        std::vector<Eigen::Vector3d> points;
+        for (const int v : replacement.window.loop)
+            points.push_back(reference::point_of(mesh_, v));
+        for (const OpenMesh::Vec3d &p : replacement.points)
+            points.emplace_back(p[0], p[1], p[2]);
+        std::vector<geometry::Quad> quads;
+        for (const auto &q : replacement.filling.quads)
+            quads.push_back({points[at(q[0])], points[at(q[1])], points[at(q[2])], points[at(q[3])]});
+        const double least = least_weight(quads);
+        return least < std::exp2(reference::too_small) * reference.face_weight &&
+               least < least_weight(quads_of(mesh_, replacement.window.faces));
+    }
+
+    // Of the quads that are smallest by area: densities take time.
+    double least_weight(std::vector<geometry::Quad> quads) const {
+        if (quads.size() > most_weighed) {
+            const auto area = [](const geometry::Quad &quad) { return geometry::area_vector(quad).norm(); };
+            std::ranges::nth_element(quads, quads.begin() + most_weighed, {}, area);
+            quads.resize(most_weighed);
+        }
+        double least = std::numeric_limits<double>::infinity();
+        for (const geometry::Quad &quad : quads)
+            least = std::min(least, cavity_.reference().sizes->weight(quad));
+        return least;
+    }
+
+    const mesh::QuadMesh &mesh_;
     const Cavity &cavity_;
     const Goal &goal_;
     const ShapeBounds &wanted_;

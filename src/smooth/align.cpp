@@ -11,7 +11,7 @@ void align_to_field(mesh::QuadMesh &mesh, reference::Reference &reference,
     std::vector<Eigen::Vector3d> directions;
     for (int f = 0; f < mesh.n_faces(); ++f) {
         const geometry::Quad corners = reference::quad_of(mesh, f);
-        directions.push_back(cross_field.at((corners[0] + corners[1] + corners[2] + corners[3]) / 4));
+        directions.push_back(cross_field.at(geometry::centre(corners)));
     }
     const std::vector<char> fixed = constrained_vertices(mesh);
     for (int round = 0; round < 5; ++round) {

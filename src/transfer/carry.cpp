@@ -197,7 +197,7 @@ private:
             return (reference::point_of(mesh, v) + reference::point_of(mesh, w)) / 2;
         }
         const geometry::Quad quad = reference::quad_of(mesh, i);
-        return (quad[0] + quad[1] + quad[2] + quad[3]) / 4;
+        return geometry::centre(quad);
     }
 
     const reference::FaceTree &faces() {

@@ -22,6 +22,16 @@ struct Middle {
     int inside = 6 * 13 + 6, buffer = 3 * 13 + 6; // vertices
 };
 
+// What the boundary does not allow comes as near as can be, and says so.
+void expect_count_or_nearest(const Outcome &outcome) {
+    const auto [few, many] = std::minmax(outcome.faces_before, outcome.faces_wanted);
+    if (std::abs(outcome.faces_after - outcome.faces_wanted) <= 2)
+        return;
+    EXPECT_GT(outcome.faces_after, few);
+    EXPECT_LT(outcome.faces_after, many);
+    EXPECT_NE(outcome.text.find("the nearest number of faces is"), std::string::npos) << outcome.text;
+}
+
 TEST(Adapt, KeepsEverythingOutside) {
     mesh::QuadMesh mesh = unstructured(30, 3);
     std::mt19937 random(4);
@@ -36,7 +46,7 @@ TEST(Adapt, KeepsEverythingOutside) {
         if (result.outcome.fault)
             continue;
         ++done;
-        EXPECT_LE(std::abs(result.outcome.faces_after - result.outcome.faces_wanted), 2);
+        expect_count_or_nearest(result.outcome);
         ASSERT_TRUE(result.prediction);
         EXPECT_EQ(result.prediction->faces, result.outcome.faces_after);
         EXPECT_EQ(result.prediction->singularities, result.outcome.singular_after);
@@ -191,16 +201,30 @@ TEST(Adapt, WhatIsHeldMayLieOnTheRim) {
     }
 }
 
-TEST(Adapt, RefusesWhatIsNoDisk) {
+TEST(Adapt, RefinesARing) {
     const Middle middle;
-    std::vector<int> holed = middle.faces, pinched = block(12, 1, 1, 3, 3), apart = block(12, 0, 0, 2, 2);
-    std::erase(holed, 6 * 12 + 6);
+    std::vector<Patch> rings(1);
+    rings[0].faces = middle.faces;
+    std::erase(rings[0].faces, 6 * 12 + 6);
+    mesh::QuadMesh mesh = middle.mesh;
+    const std::int64_t before = std::ssize(rings[0].faces);
+    const Outcome outcome = adapt(mesh, rings, 2, {}, silent).at(0);
+    EXPECT_FALSE(outcome.fault) << outcome.text;
+    EXPECT_EQ(outcome.faces_wanted, 2 * before);
+    EXPECT_EQ(std::ssize(rings[0].faces), outcome.faces_after);
+    EXPECT_NEAR(static_cast<double>(outcome.faces_after), 2.0 * static_cast<double>(before), 4);
+    EXPECT_NO_THROW(mesh.check());
+}
+
+TEST(Adapt, RefusesWhatIsNeitherDiskNorRing) {
+    const Middle middle;
+    std::vector<int> pinched = block(12, 1, 1, 3, 3), apart = block(12, 0, 0, 2, 2);
     for (const int f : block(12, 3, 3, 5, 5))
         pinched.push_back(f);
     for (const int f : block(12, 6, 6, 8, 8))
         apart.push_back(f);
     mesh::QuadMesh mesh = middle.mesh;
-    for (const std::vector<int> &faces : {holed, pinched, apart, std::vector<int>()}) {
+    for (const std::vector<int> &faces : {pinched, apart, std::vector<int>()}) {
         EXPECT_EQ(adapt_one(mesh, faces, 2).fault, Fault::patch);
         EXPECT_EQ(mesh.checksum(), middle.mesh.checksum());
     }
@@ -218,9 +242,8 @@ TEST(Adapt, PatchOfOneFace) {
     const mesh::QuadMesh mesh = grid(5, 5);
     for (const double alpha : {0.4, 1.0, 2.0, 3.0, 5.0, 9.0}) {
         const auto result = run(mesh, {12}, alpha);
-        if (!result.outcome.fault) {
-            EXPECT_LE(std::abs(result.outcome.faces_after - result.outcome.faces_wanted), 2) << alpha;
-        }
+        if (!result.outcome.fault)
+            expect_count_or_nearest(result.outcome);
     }
     const auto kept = run(mesh, {12}, 1);
     EXPECT_FALSE(kept.outcome.fault) << kept.outcome.text;

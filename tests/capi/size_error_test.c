@@ -71,8 +71,8 @@ static void a_field_has_the_errors_of_patches(void **state) {
     amst_context_destroy(ctx);
 }
 
-/* A patch that is left, and whose faces get other numbers as another one has fewer: what is there is far too
- * small, the more so inside. */
+/* A patch that is left, as a strip has the fewest faces that its boundary allows, and whose faces get other
+ * numbers as another one has fewer: what is there is far too small. */
 static void a_field_has_the_errors_of_a_patch_that_is_left(void **state) {
     (void)state;
     amst_context *ctx = new_context(0);
@@ -81,23 +81,23 @@ static void a_field_has_the_errors_of_a_patch_that_is_left(void **state) {
     amst_report *report = NULL;
     must(amst_patches_create(mesh, NULL, &set));
     add_square(set, 12, 0, 5);
-    add_square(set, 12, 7, 12);
+    const amst_id strip[5] = {139, 140, 141, 142, 143};
+    must(amst_patches_add_faces(set, strip, 5, NULL));
     must(amst_patches_set_alpha(set, 1, 0.01));
     add_errors(mesh, 9);
     assert_int_equal(amst_adapt(mesh, set, 0.8, NULL, &report), AMST_PARTIAL);
     assert_int_equal(result(report, 0, AMST_RESULT_FACES_AFTER), 20);
     assert_true(result(report, 1, AMST_RESULT_STATUS) < 0);
-    amst_id faces[25], *corners = faces_of(mesh);
+    amst_id faces[5], *corners = faces_of(mesh);
     int64_t n;
     double *errors = errors_of(mesh), *points = points_of(mesh);
-    must(amst_patches_get_faces(set, 1, faces, 25, &n));
-    assert_int_equal(n, 25);
+    must(amst_patches_get_faces(set, 1, faces, 5, &n));
+    assert_int_equal(n, 5);
     errors_agree(mesh, report, 1, faces, n);
     int moved = 0;
     for (int64_t i = 0; i < n; ++i) {
         const double *low = points + 2 * corners[4 * faces[i]];
-        const int inside = low[0] > 7.5 && low[0] < 10.5 && low[1] > 7.5 && low[1] < 10.5;
-        assert_true(inside == (errors[faces[i]] < -9));
+        assert_true(errors[faces[i]] < -4);
         moved = moved || faces[i] != 12 * (amst_id)(low[1] + 0.5) + (amst_id)(low[0] + 0.5);
     }
     assert_true(moved);

@@ -51,6 +51,17 @@ TEST(Repair, FillsHolesThatAreFree) {
 
 // A ring that touches itself at a corner holds a free hole; with the hole taken, one of
 // the two faces at the corner must go.
+TEST(Repair, LeavesRings) {
+    const mesh::QuadMesh mesh = grid(9, 9);
+    const std::vector<int> hole = block(9, 3, 3, 6, 6), ring = without(block(9, 1, 1, 8, 8), hole);
+    EXPECT_EQ(repair_but_rings(mesh, ring, none), ring);
+    EXPECT_EQ(repair(mesh, ring, none), block(9, 1, 1, 8, 8));
+    // A face left out is an oversight.
+    const std::vector<int> dotted = without(block(9, 1, 1, 8, 8), {40});
+    EXPECT_EQ(repair_but_rings(mesh, dotted, none), block(9, 1, 1, 8, 8));
+    EXPECT_EQ(defects(mesh, repair_but_rings(mesh, {0, 1, 11, 20}, none)), 0); // pinched
+}
+
 TEST(Repair, OpensPinches) {
     const mesh::QuadMesh mesh = grid(5, 5);
     const std::vector<int> pinched_set = without(block(5, 1, 1, 4, 4), {12, 18});

@@ -21,9 +21,22 @@ TEST(Statistics, InteriorVerticesAreCountedByValence) {
     EXPECT_EQ(singular, 1);
     mesh::Grid grid = mesh::plane(2, 2);
     grid.points.insert(grid.points.end(), {9, 9, 0}); // of no face
-    count(grid.build(), valences, singular);          // adds up
-    EXPECT_EQ(valences, (std::map<int, std::int64_t>{{4, 31}, {5, 1}}));
+    count(grid.build(), valences, singular);          // anew
+    EXPECT_EQ(valences, (std::map<int, std::int64_t>{{4, 1}}));
+    EXPECT_EQ(singular, 0);
+}
+
+TEST(Statistics, VerticesOfSomeFacesAreCountedOnce) {
+    const mesh::QuadMesh mesh = adapt::samples::star(5, 2);
+    std::map<int, std::int64_t> all, some;
+    std::int64_t singular = 7;
+    count(mesh, all, singular);
     EXPECT_EQ(singular, 1);
+    count(mesh, std::vector<int>{0}, some, singular); // at the middle
+    EXPECT_EQ(singular, 1);
+    EXPECT_EQ(some, (std::map<int, std::int64_t>{{4, 3}, {5, 1}}));
+    count(mesh, adapt::samples::all_faces(mesh), some, singular);
+    EXPECT_EQ(some, all);
 }
 
 TEST(Statistics, TheTimeStepIsThatOfTheSmallestFace) {

@@ -8,6 +8,7 @@
 #include "index.h"
 #include "mesh/curved.h"
 #include "reference/cross_field.h"
+#include "reference/statistics.h"
 #include "refill/patch.h"
 
 namespace alphamst::refill {
@@ -56,7 +57,7 @@ TEST(Choice, HasFewSingularitiesAndTheSizesThatAlphaAsksFor) {
             EXPECT_EQ(std::ssize(chosen.evaluation->replacement.filling.quads), of.goal.faces);
             EXPECT_LT(chosen.evaluation->size_error.rms, 0.9) << alpha;
             EXPECT_GT(chosen.evaluation->size_error.least, -3) << alpha;
-            EXPECT_LT(singular_of(chosen.valences), 30) << alpha;
+            EXPECT_LT(reference::singular(chosen.valences), 30) << alpha;
         }
 }
 
@@ -67,7 +68,7 @@ TEST(Choice, NeverHasMoreSingularitiesOrWorseShapesWhereTheCountStays) {
         const Chosen chosen = of.run();
         if (!chosen.evaluation)
             continue;
-        EXPECT_LE(singular_of(chosen.valences), singular_of(cavity.valences(cavity.old)));
+        EXPECT_LE(reference::singular(chosen.valences), reference::singular(cavity.valences(cavity.old)));
         EXPECT_GE(chosen.evaluation->shape.scaled_jacobian, cavity.old_quality);
     }
 }

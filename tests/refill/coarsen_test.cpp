@@ -112,6 +112,20 @@ TEST(Coarsen, TakesWhatIsBestForTheValencesFirst) {
     }
 }
 
+TEST(Coarsen, ComesAsNearAsTheBoundaryAllows) {
+    Start start(adapt::samples::grid(6, 6));
+    start.request.faces = 1; // 24 edges around need 11 faces at least
+    const std::optional<Coarse> nearest = coarsen_towards(start.request, start.old, 0);
+    ASSERT_TRUE(nearest);
+    const auto faces = std::ssize(nearest->shape.filling.quads);
+    EXPECT_GE(faces, 11);
+    EXPECT_LT(faces, 30);
+    EXPECT_FALSE(start.to(1));
+    EXPECT_TRUE(start.to(faces));
+    start.request.faces = 36;
+    EXPECT_FALSE(coarsen_towards(start.request, start.old, 0));
+}
+
 TEST(Coarsen, GivesNothingThatCannotBe) {
     Start start(adapt::samples::grid(6, 6));
     EXPECT_FALSE(start.to(36)); // no fewer

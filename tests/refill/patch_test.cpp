@@ -171,6 +171,23 @@ TEST(Propose, SaysWhyThereIsNoFilling) {
     expect_fault(of, Fault::patch, "not connected");
 }
 
+TEST(Propose, ComesAsNearAsTheBoundaryAllowsWhereThatIsAskedFor) {
+    for (const double alpha : {0.05, 0.2}) {
+        Case of = irregular(alpha);
+        EXPECT_EQ(of.propose().outcome.fault, Fault::no_filling);
+        of.goal.or_nearest = true;
+        const Outcome outcome = of.propose().outcome;
+        EXPECT_FALSE(outcome.fault) << outcome.text;
+        EXPECT_EQ(outcome.faces_wanted, of.goal.faces);
+        EXPECT_GT(outcome.faces_after, outcome.faces_wanted);
+        EXPECT_LT(outcome.faces_after, outcome.faces_before);
+        EXPECT_GE(outcome.quality_after, 0.1);
+        EXPECT_NE(outcome.text.find("the nearest number of faces is " + std::to_string(outcome.faces_after)),
+                  std::string::npos)
+            << outcome.text;
+    }
+}
+
 TEST(Propose, SaysThatNoFillingHasTheWantedShape) {
     Case of = irregular(0.8);
     of.settings.min_quality = 1;

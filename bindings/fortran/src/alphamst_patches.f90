@@ -30,7 +30,7 @@ module alphamst_patches
         procedure :: create
         procedure :: destroy
         !> add_faces(faces(:) [, patch]): faces in any order; those taken or FIXED are left out, and
-        !> the patch is made a disk, unless AMST_OPT_REPAIR_PATCHES is 0.
+        !> the patch is made a disk or a ring, unless AMST_OPT_REPAIR_PATCHES is 0.
         procedure :: add_faces
         !> add_rings(vertex, rings [, patch]): the faces within so many layers of a vertex.
         procedure :: add_rings

@@ -21,7 +21,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | --- | --- | --- |
 | `seed` | 0 | of every random choice |
 | `smooth_steps` | 20 | sweeps of shape optimisation, 0 to 1000 |
-| `repair_patches` | 1 | 0 or 1: fill holes and cut pinches of new patches |
+| `repair_patches` | 1 | 0 or 1: fill small holes and cut pinches of new patches |
 | `candidates` | 16 | fillings to try in a patch before it is left, 1 to 1000 |
 | `node_limit` | 1000 | effort of one exact search, in quads laid, 0 to 10^9 |
 | `quadrangulate` | 0 | 0: triangles of a new mesh are paired, 1: every face is split |

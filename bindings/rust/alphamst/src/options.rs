@@ -14,7 +14,7 @@ enumeration! {
         Seed = AMST_OPT_SEED,
         /// Integer, 20: sweeps of shape optimisation, 0 to 1000.
         SmoothSteps = AMST_OPT_SMOOTH_STEPS,
-        /// Integer 0 or 1, 1: fill holes and cut pinches of new patches.
+        /// Integer 0 or 1, 1: fill small holes and cut pinches of new patches.
         RepairPatches = AMST_OPT_REPAIR_PATCHES,
         /// Integer, 16: fillings to try in a patch before it is left, 1 to 1000.
         Candidates = AMST_OPT_CANDIDATES,

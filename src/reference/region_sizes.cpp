@@ -1,11 +1,14 @@
-#include "refill/sizes.h"
+#include "reference/region_sizes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <unordered_map>
 
 #include "index.h"
+#include "patch/region.h"
 
-namespace alphamst::refill {
+namespace alphamst::reference {
 namespace {
 
 // Of the greatest distance from the border: over what part of it sizes change. Half leaves a core of a
@@ -19,8 +22,6 @@ constexpr double most_points_per_face = 64;
 constexpr int smoothings = 6;
 
 double area(const geometry::Quad &quad) { return std::max(geometry::area_vector(quad).norm(), 1e-300); }
-
-Eigen::Vector3d centre(const geometry::Quad &quad) { return (quad[0] + quad[1] + quad[2] + quad[3]) / 4; }
 
 geometry::Quad quad_of(const std::array<int, 4> &q, const std::vector<Eigen::Vector3d> &positions) {
     return {positions[alphamst::at(q[0])], positions[alphamst::at(q[1])], positions[alphamst::at(q[2])],
@@ -57,15 +58,53 @@ std::vector<Eigen::Vector3d> centres(const fill::Filling &filling,
                                      const std::vector<Eigen::Vector3d> &positions) {
     std::vector<Eigen::Vector3d> points;
     for (const auto &q : filling.quads)
-        points.push_back(centre(quad_of(q, positions)));
+        points.push_back(geometry::centre(quad_of(q, positions)));
+    return points;
+}
+
+// Vertices in the order in which the faces name them first.
+template <class Visit>
+void number_vertices(const mesh::QuadMesh &mesh, std::span<const int> region, const Visit &visit) {
+    std::unordered_map<int, int> number;
+    for (const int f : region)
+        for (const int v : mesh.corners(f))
+            visit(v, number.emplace(v, static_cast<int>(number.size())));
+}
+
+// What smoothing over neighbours needs of the region.
+fill::Filling filling_of(const mesh::QuadMesh &mesh, std::span<const int> region) {
+    fill::Filling filling;
+    std::size_t corner = 0;
+    number_vertices(mesh, region, [&](int, const auto &entry) {
+        if (corner % 4 == 0)
+            filling.quads.push_back({});
+        filling.quads.back()[corner++ % 4] = entry.first->second;
+        filling.vertices += static_cast<int>(entry.second);
+    });
+    return filling;
+}
+
+std::vector<Eigen::Vector3d> points_of(const mesh::QuadMesh &mesh, std::span<const int> region) {
+    std::vector<Eigen::Vector3d> points;
+    number_vertices(mesh, region, [&](int vertex, const auto &entry) {
+        if (entry.second)
+            points.push_back(point_of(mesh, vertex));
+    });
     return points;
 }
 
 } // namespace
 
-Sizes::Sizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions, double faces,
-             std::vector<double> areas)
-    : loop_(positions.begin(), positions.begin() + old.boundary), faces_(centres(old, positions)) {
+RegionSizes::RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions,
+                         double faces, std::vector<double> areas)
+    : RegionSizes(old, positions, faces, std::move(areas), border_of(old, positions)) {}
+
+RegionSizes::RegionSizes(const mesh::QuadMesh &mesh, std::span<const int> region, double faces)
+    : RegionSizes(filling_of(mesh, region), points_of(mesh, region), faces, {}, border_of(mesh, region)) {}
+
+RegionSizes::RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions,
+                         double faces, std::vector<double> areas, std::vector<Segment> border)
+    : border_(std::move(border)), faces_(centres(old, positions)) {
     std::vector<double> share; // of the faces, were nothing divided
     for (std::size_t f = 0; f < old.quads.size(); ++f) {
         const double now = area(quad_of(old.quads[f], positions));
@@ -86,26 +125,46 @@ Sizes::Sizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &posit
             sum += share[f] * std::exp(log_factor_ * std::min(1.0, depths[f] / depth_));
         (sum < faces ? low : high) = log_factor_;
     }
-    if (std::all_of(positions.begin(), positions.end(), [](const Eigen::Vector3d &p) { return p.z() == 0; }))
+    if (!border_.empty() &&
+        std::all_of(positions.begin(), positions.end(), [](const Eigen::Vector3d &p) { return p.z() == 0; }))
         make_lattice();
 }
 
-double Sizes::distance(const Eigen::Vector3d &place) const {
-    double least = (place - loop_[0]).squaredNorm();
-    for (std::size_t i = 0; i < loop_.size(); ++i)
-        least = std::min(least, squared_distance(place, loop_[i], loop_[(i + 1) % loop_.size()]));
+std::vector<RegionSizes::Segment> RegionSizes::border_of(const fill::Filling &old,
+                                                         const std::vector<Eigen::Vector3d> &positions) {
+    std::vector<Segment> border;
+    const std::size_t n = alphamst::at(old.boundary);
+    for (std::size_t i = 0; i < n; ++i)
+        border.push_back({positions[i], positions[(i + 1) % n]});
+    return border;
+}
+
+std::vector<RegionSizes::Segment> RegionSizes::border_of(const mesh::QuadMesh &mesh,
+                                                         std::span<const int> region) {
+    std::vector<Segment> border;
+    for (const patch::Halfedge h : patch::Region(mesh, region).boundary)
+        border.push_back({point_of(mesh, patch::from(mesh, h)), point_of(mesh, patch::to(mesh, h))});
+    return border;
+}
+
+double RegionSizes::distance(const Eigen::Vector3d &place) const {
+    if (border_.empty()) // of a closed mesh: all of it is far from there
+        return 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Segment &segment : border_)
+        least = std::min(least, squared_distance(place, segment[0], segment[1]));
     return std::sqrt(least);
 }
 
-double Sizes::computed(const Eigen::Vector3d &place) const {
+double RegionSizes::computed(const Eigen::Vector3d &place) const {
     return log_areas_[faces_.nearest(place)] - log_factor_ * std::min(1.0, distance(place) / depth_);
 }
 
-void Sizes::make_lattice() {
-    Eigen::Vector3d low = loop_[0], high = loop_[0];
-    for (const Eigen::Vector3d &p : loop_) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
+void RegionSizes::make_lattice() {
+    Eigen::Vector3d low = border_[0][0], high = low;
+    for (const Segment &segment : border_) {
+        low = low.cwiseMin(segment[0]);
+        high = high.cwiseMax(segment[0]);
     }
     const Eigen::Vector3d extent = high - low;
     spacing_ =
@@ -121,7 +180,7 @@ void Sizes::make_lattice() {
             lattice_.push_back(computed(low + spacing_ * Eigen::Vector3d(i, j, 0)));
 }
 
-double Sizes::log_at(const Eigen::Vector3d &place) const {
+double RegionSizes::log_at(const Eigen::Vector3d &place) const {
     if (lattice_.empty())
         return computed(place);
     const Eigen::Vector3d p = (place - origin_) / spacing_;
@@ -133,12 +192,12 @@ double Sizes::log_at(const Eigen::Vector3d &place) const {
            v * ((1 - u) * value(i, j + 1) + u * value(i + 1, j + 1));
 }
 
-SizeError Sizes::error(std::span<const geometry::Quad> quads) const {
+SizeError RegionSizes::error(std::span<const geometry::Quad> quads) const {
     std::vector<double> log_wanted;
     log_wanted.reserve(quads.size());
     for (const geometry::Quad &quad : quads)
-        log_wanted.push_back(log_at(centre(quad)));
-    return reference::size_error(quads, log_wanted);
+        log_wanted.push_back(log_at(geometry::centre(quad)));
+    return size_error(quads, log_wanted);
 }
 
-} // namespace alphamst::refill
+} // namespace alphamst::reference

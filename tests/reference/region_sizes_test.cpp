@@ -1,10 +1,14 @@
-#include "refill/sizes.h"
+#include "reference/region_sizes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-namespace alphamst::refill {
+#include "adapt/meshes.h"
+#include "mesh/curved.h"
+
+namespace alphamst::reference {
 namespace {
 
 // n x n unit squares; their loop first, as a filling numbers its vertices. height: of all points.
@@ -41,23 +45,23 @@ struct Sheet {
                     quads.back()[k] = points[static_cast<std::size_t>(filling.quads.back()[k])];
             }
     }
-    Sizes sizes(double alpha) const {
+    RegionSizes sizes(double alpha) const {
         return {filling, points, alpha * static_cast<double>(filling.quads.size())};
     }
 };
 
-TEST(Sizes, AreThoseThatAreThereWhereTheCountStays) {
+TEST(RegionSizes, AreThoseThatAreThereWhereTheCountStays) {
     const Sheet sheet(12);
-    const Sizes sizes = sheet.sizes(1);
+    const RegionSizes sizes = sheet.sizes(1);
     for (const geometry::Quad &q : sheet.quads)
         EXPECT_NEAR(sizes.at((q[0] + q[2]) / 2), 1, 1e-6);
     EXPECT_NEAR(sizes.error(sheet.quads).rms, 0, 1e-6);
 }
 
-TEST(Sizes, ChangeFromTheBorderInwardsAndComeToTheCount) {
+TEST(RegionSizes, ChangeFromTheBorderInwardsAndComeToTheCount) {
     const Sheet sheet(20);
     for (const double alpha : {0.5, 2.0, 4.0}) {
-        const Sizes sizes = sheet.sizes(alpha);
+        const RegionSizes sizes = sheet.sizes(alpha);
         double faces = 0;
         for (const geometry::Quad &q : sheet.quads)
             faces += 1 / sizes.at((q[0] + q[2]) / 2);
@@ -70,23 +74,23 @@ TEST(Sizes, ChangeFromTheBorderInwardsAndComeToTheCount) {
     }
 }
 
-TEST(Sizes, AreTheSameInSpaceWithoutALattice) {
+TEST(RegionSizes, AreTheSameInSpaceWithoutALattice) {
     const Sheet flat(10), high(10, 3);
-    const Sizes a = flat.sizes(3), b = high.sizes(3);
+    const RegionSizes a = flat.sizes(3), b = high.sizes(3);
     for (const geometry::Quad &q : flat.quads) {
         const Eigen::Vector3d x = (q[0] + q[1] + q[2] + q[3]) / 4;
         EXPECT_NEAR(std::log(a.at(x) / b.at(x + Eigen::Vector3d(0, 0, 3))), 0, 0.15);
     }
 }
 
-TEST(Sizes, OfALineAreNumbersToo) {
+TEST(RegionSizes, OfALineAreNumbersToo) {
     Sheet sheet(4);
     for (Eigen::Vector3d &p : sheet.points)
         p.y() = 0;
     EXPECT_TRUE(std::isfinite(sheet.sizes(2).at({2, 0, 0})));
 }
 
-TEST(Sizes, MayBeGiven) {
+TEST(RegionSizes, MayBeGiven) {
     const Sheet sheet(20);
     std::vector<double> areas; // from 1/4 on the left to 4 on the right
     for (const geometry::Quad &q : sheet.quads)
@@ -94,14 +98,14 @@ TEST(Sizes, MayBeGiven) {
     double faces = 0;
     for (const double area : areas)
         faces += 1 / area;
-    const Sizes sizes(sheet.filling, sheet.points, faces, areas);
+    const RegionSizes sizes(sheet.filling, sheet.points, faces, areas);
     EXPECT_NEAR(std::log2(sizes.at({5, 10, 0})), -1, 0.1);
     EXPECT_NEAR(std::log2(sizes.at({15, 10, 0})), 1, 0.1);
 }
 
-TEST(Sizes, ErrorIsInPowersOfTwo) {
+TEST(RegionSizes, ErrorIsInPowersOfTwo) {
     const Sheet sheet(8);
-    const Sizes sizes = sheet.sizes(1);
+    const RegionSizes sizes = sheet.sizes(1);
     geometry::Quad half = sheet.quads[27], twice = half;
     half[2].y() = half[3].y() = half[0].y() + 0.5;
     twice[2].y() = twice[3].y() = twice[0].y() + 2;
@@ -112,5 +116,36 @@ TEST(Sizes, ErrorIsInPowersOfTwo) {
     EXPECT_NEAR(error.shortest_edge, 0.5, 1e-6);
 }
 
+TEST(RegionSizes, OfARegionWithAHoleKeepBothBorders) {
+    const mesh::QuadMesh mesh = adapt::samples::grid(20, 20);
+    std::vector<int> ring;
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        const OpenMesh::Vec3d c = adapt::samples::centre(mesh, f);
+        if (std::max(std::abs(c[0] - 10), std::abs(c[1] - 10)) > 3)
+            ring.push_back(f);
+    }
+    const RegionSizes sizes(mesh, ring, 4.0 * static_cast<double>(ring.size()));
+    // Between points of the lattice they are a little off.
+    EXPECT_NEAR(sizes.at({0, 10, 0}), 1, 0.3);
+    EXPECT_NEAR(sizes.at({7, 10, 0}), 1, 0.3);
+    EXPECT_LT(sizes.at({3.5, 10, 0}), 0.25);
+    double faces = 0;
+    for (const int f : ring) {
+        const OpenMesh::Vec3d c = adapt::samples::centre(mesh, f);
+        faces += 1 / sizes.at({c[0], c[1], c[2]});
+    }
+    EXPECT_NEAR(faces, 4.0 * static_cast<double>(ring.size()), 0.05 * faces);
+}
+
+TEST(RegionSizes, OfAClosedMeshAreTheSameFactorEverywhere) {
+    const mesh::QuadMesh mesh = mesh::sphere(3);
+    const RegionSizes once(mesh, adapt::samples::all_faces(mesh), mesh.n_faces());
+    const RegionSizes twice(mesh, adapt::samples::all_faces(mesh), 2.0 * mesh.n_faces());
+    for (int f = 0; f < mesh.n_faces(); ++f) {
+        const OpenMesh::Vec3d c = adapt::samples::centre(mesh, f);
+        EXPECT_NEAR(once.at({c[0], c[1], c[2]}) / twice.at({c[0], c[1], c[2]}), 2, 1e-6);
+    }
+}
+
 } // namespace
-} // namespace alphamst::refill
+} // namespace alphamst::reference
