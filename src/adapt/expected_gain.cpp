@@ -15,8 +15,6 @@ constexpr double memory = 0.85; // of what the searches before did
 // power leaves many alone.
 constexpr double few = 30, effort_for_few = 30, least_effort = 25, most_effort = 200;
 constexpr double effort_for_more = 60; // than there were at first
-// Of smaller meshes all windows are soon known: the effort for each face falls with their number.
-constexpr double small_mesh = 1000;
 // Effort for each face that to save all of many singularities at the present rate may take.
 constexpr double most_for_all = 250;
 
@@ -48,9 +46,8 @@ void ExpectedGain::learn(Search &search, double saved, double effort) {
 bool ExpectedGain::worthwhile(int singular) const {
     const double most =
         std::clamp(effort_for_few * std::pow(few / std::max(1, singular), 6), least_effort, most_effort);
-    const double faces = faces_ * std::min(1.0, faces_ / small_mesh);
-    return spent_ < (singular > before_ ? std::max(most, effort_for_more) : most) * faces ||
-           lately_.rate() * most_for_all * faces >= singular;
+    return spent_ < (singular > before_ ? std::max(most, effort_for_more) : most) * faces_ ||
+           lately_.rate() * most_for_all * faces_ >= singular;
 }
 
 } // namespace alphamst::adapt

@@ -80,7 +80,7 @@ private:
             log_patch(settings_, "sizes", 0, proposal);
             if (proposal.outcome.fault || !is_better(proposal.outcome))
                 continue;
-            Commits(mesh_, reference_).put(proposal.replacement, {});
+            Commits(mesh_, reference_).put(proposal.replacement, proposal.buffer);
             return true;
         }
         return false;

@@ -153,7 +153,7 @@ private:
             else
                 ++done_;
             if (!proposal.outcome.fault && !proposal.unchanged) {
-                const auto replaced = commits.put(proposal.replacement, {});
+                const auto replaced = commits.put(proposal.replacement, proposal.buffer);
                 followed_.follow(round[i], proposal.replacement, replaced);
             }
         }

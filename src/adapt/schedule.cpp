@@ -328,7 +328,9 @@ private:
         if (cross_field_) // who asks for the field gets it, at some distance to the surface
             smooth::align_to_field(mesh_, reference_, *cross_field_, settings_);
         mend();
-        if (sizing_ && mend_sizes(mesh_, reference_, patient_) > 0)
+        // Without a field those of a curved mesh are a matter of its curvature, not of a wish.
+        const bool asked = sizing_ && (!reference_.surface || sizing_->wished());
+        if (asked && mend_sizes(mesh_, reference_, patient_) > 0)
             smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
         tell(1, "mend");
     }

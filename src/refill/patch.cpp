@@ -92,6 +92,7 @@ Proposal propose_exactly(const mesh::QuadMesh &mesh, const Patch &patch, const G
         if (proposal.unchanged)
             return proposal;
         proposal.replacement = std::move(best.evaluation->replacement);
+        proposal.buffer = buffer.faces();
         tell_taken(mesh, patch, proposal.replacement, best.evaluation->size_error, outcome);
         outcome.valences_after = std::move(best.valences);
         outcome.singular_after = reference::singular(outcome.valences_after);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "outcome.h"
 #include "refill/evaluate.h"
@@ -11,8 +12,9 @@ namespace alphamst::refill {
 
 struct Proposal {
     Replacement replacement;
-    Outcome outcome;        // outcome.fault: there is nothing to commit
-    bool unchanged = false; // nor is there where the filling that is there is the answer
+    std::vector<int> buffer; // faces around that were judged with it: samples of the surface may go to them
+    Outcome outcome;         // outcome.fault: there is nothing to commit
+    bool unchanged = false;  // nor is there where the filling that is there is the answer
     Trace trace;
 };
 
