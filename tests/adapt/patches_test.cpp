@@ -237,5 +237,27 @@ TEST(Patches, AreTriedAgainWithMoreToleranceOnlyWhereThatIsInTheWay) {
     EXPECT_TRUE(later);
 }
 
+// A roof with its ridge a feature, along the side of the patch. It is judged with the faces around it, to
+// which samples of the surface may go, so a commit must know them.
+TEST(Patches, BesideAFeatureTellTheFacesAround) {
+    mesh::QuadMesh mesh = mesh::grid(12, 8, [](double s, double t) {
+        return Eigen::Vector3d(12 * s, 8 * t, 6 - std::abs(12 * s - 6) + 0.05 * std::sin(6 * t));
+    });
+    for (int j = 0; j < 8; ++j)
+        mesh.edge_flags[at(mesh.find_edge(13 * j + 6, 13 * j + 19))] = mesh::feature;
+    std::vector<Patch> patches = patches_of({block(12, 6, 2, 10, 6)});
+    PatchReference judged(mesh, patches, {}, times(2));
+    ASSERT_TRUE(mesh.curves);
+    const refill::Proposal proposal =
+        refill::propose(mesh, patches[0], times(2)(patches[0]), {}, judged.reference);
+    ASSERT_FALSE(proposal.outcome.fault) << proposal.outcome.text;
+    EXPECT_EQ(proposal.buffer.size(), 20u); // the frame around 4 by 4
+    const auto quads = std::ssize(proposal.replacement.filling.quads);
+    for (const auto &owner : proposal.replacement.owners)
+        EXPECT_LT(owner.quad, quads + std::ssize(proposal.buffer));
+    EXPECT_FALSE(refill(mesh, patches, 2).at(0).fault);
+    EXPECT_NO_THROW(mesh.check());
+}
+
 } // namespace
 } // namespace alphamst::adapt
