@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -27,8 +28,7 @@ constexpr int balances = 3;
 // Rounds that only save singular vertices.
 constexpr int savings = 2;
 
-// Alphas that bring parts to so many faces as their weights say, together to `total`; parts that would not
-// change are left out.
+// Alphas that bring parts to so many faces as their weights say, together to `total`.
 void share(std::vector<Patch> &parts, const std::vector<double> &weights, std::int64_t total) {
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     double passed = 0;
@@ -97,6 +97,8 @@ public:
         outcome.aspect_ratio_before = outcome.aspect_ratio_after;
         outcome.valences_before = outcome.valences_after;
         outcome.singular_before = outcome.singular_after;
+        if (!sizes_)
+            return;
         outcome.size_error_before = outcome.size_error_after;
         outcome.least_area_before = outcome.least_area_after;
         outcome.shortest_edge_before = outcome.shortest_edge_after;
@@ -107,9 +109,12 @@ public:
         outcome.quality_after = reference::least_quality(mesh_, faces());
         outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh_, faces());
         reference::count(mesh_, faces(), outcome.valences_after, outcome.singular_after);
-        if (!sizes_)
-            return;
         std::vector<geometry::Quad> quads;
+        if (!sizes_) { // what was known is of other faces
+            constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+            reference::tell_sizes_after({unknown, unknown, unknown, {}}, outcome);
+            return;
+        }
         for (const int f : faces())
             quads.push_back(reference::quad_of(mesh_, f));
         reference::tell_sizes_after(sizes_->error(quads), outcome);

@@ -91,6 +91,14 @@ void PatchReference::loosen(double times) {
         reference.surface_distance->set_tolerance(times * tolerance_);
 }
 
+refill::Goal goal_of(const Patch &patch, double alpha) {
+    refill::Goal goal;
+    goal.faces = refill::wanted_faces(patch.alpha > 0 ? patch.alpha : alpha, patch.faces.size());
+    goal.or_nearest = true;
+    goal.keep_quality = goal.faces == static_cast<std::int64_t>(patch.faces.size());
+    return goal;
+}
+
 bool wants_more_room(const refill::Proposal &proposal) {
     return (proposal.outcome.fault || proposal.unchanged) && proposal.trace.of(refill::Refused::distance) > 0;
 }

@@ -74,20 +74,19 @@ private:
     Outcome search_around_layers() {
         if (mesh_.dim() != 2 || mesh_.field(Entity::vertex, "size") != nullptr)
             return search();
-        std::optional<mesh::QuadMesh> begun = mesh_;
-        if (hold_layers(mesh_, begin_.faces_wanted) == 0) {
-            begun.reset();
+        if (hold_layers(mesh_, begin_.faces_wanted) == 0)
             return search();
-        }
+        mesh::QuadMesh begun = mesh_;
         Outcome outcome = search();
         release_layers(mesh_);
         if (missing(outcome) == 0)
             return outcome;
-        std::swap(mesh_, *begun);
+        release_layers(begun);
+        std::swap(mesh_, begun);
         const Outcome without = search();
         if (rank(without) < rank(outcome))
             return without;
-        mesh_ = std::move(*begun);
+        mesh_ = std::move(begun);
         return outcome;
     }
 

@@ -29,7 +29,7 @@ constexpr std::int64_t most_effort = 3000;
 // Before a patch is left. Of large patches so many fillings are laid out all the same.
 constexpr std::int64_t most_hope = 10000;
 constexpr int least_layouts = 4;
-// On a surface a layout takes five times as long, and what a few do not find is found in parts.
+// What a few do not find on a surface is found in parts.
 constexpr std::int64_t most_hope_on_surface = 2000;
 // What a new filling must be better by than one that can stay.
 constexpr double least_gain = 1;

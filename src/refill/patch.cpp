@@ -117,6 +117,7 @@ void take_nearest(const mesh::QuadMesh &mesh, const Patch &patch, Goal goal, con
     const std::string reason = proposal.outcome.text;
     const std::int64_t wanted = goal.faces;
     const double does = std::min(enough, proposal.outcome.quality_before);
+    goal.or_nearest = false; // of these there are no others
     for (const std::int64_t count : nearest) {
         goal.faces = count;
         std::vector<std::int64_t> none;

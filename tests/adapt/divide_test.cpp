@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "adapt/patches.h"
 #include "index.h"
 #include "mesh/curved.h"
 #include "patch/window.h"
@@ -53,6 +54,23 @@ TEST(Parts, BringARingToItsCountAndLeaveAllElse) {
             EXPECT_TRUE(std::max(std::abs(c[0] - 10), std::abs(c[1] - 10)) > 4);
         }
     }
+}
+
+// What is known of each face is of the faces that are there now, or nothing is.
+TEST(Parts, OfAMeshWithAFieldOfSizesTellNothingOfOtherFaces) {
+    mesh::QuadMesh mesh = samples::grid(20, 20);
+    mesh::Field field{Entity::vertex, "size", 1, mesh::Carry::linear, {}};
+    field.values.assign(at(mesh.n_vertices()), 1);
+    mesh.fields.set(std::make_shared<const mesh::Field>(std::move(field)));
+    std::vector<Patch> patches(1);
+    patches[0].faces = frame();
+    Outcome outcome;
+    outcome.size_errors = {1, 2, 3}; // of faces that were there
+    refill_in_parts(mesh, patches, 0, 300, {}, silent, outcome);
+    EXPECT_TRUE(outcome.size_errors.empty());
+    EXPECT_TRUE(std::isnan(outcome.size_error_after));
+    sort_faces(patches[0], outcome);
+    EXPECT_TRUE(std::is_sorted(patches[0].faces.begin(), patches[0].faces.end()));
 }
 
 TEST(Parts, SaveSingularVerticesWhereTheCountStays) {
