@@ -272,7 +272,8 @@ enum amst_result {
 enum amst_log_level {
     AMST_LOG_OFF = -1,
     AMST_LOG_ERROR = 0,
-    AMST_LOG_WARNING = 1, /* patches that were left, and why; options without effect */
+    AMST_LOG_WARNING = 1, /* patches that were left or missed their count, and why; options
+                             without effect */
     AMST_LOG_INFO = 2,    /* one line a stage, and what the operation came to */
     AMST_LOG_DEBUG = 3,   /* one line a cavity (patch or window): where, how large, how many candidates, why
                              those that were refused were, what was taken */

@@ -308,9 +308,36 @@ static void edge_origins_fit_vertex_origins(void **state) {
     amst_context_destroy(ctx);
 }
 
+/* A patch that its boundary does not allow the count: the nearest, and the words for it. */
+static void what_was_in_the_way_is_told(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, 12, 12);
+    amst_patches *set = NULL;
+    amst_report *report = NULL;
+    must(amst_patches_create(mesh, NULL, &set));
+    add_square(set, 12, 0, 2);
+    add_square(set, 12, 4, 10);
+    must(amst_patches_set_alpha(set, 0, 1));
+    assert_int_equal(amst_adapt(mesh, set, 0.01, NULL, &report), AMST_PARTIAL);
+    assert_int_equal((int)result(report, 1, AMST_RESULT_STATUS), AMST_PARTIAL);
+    assert_non_null(strstr(amst_last_error(), "patch 1: "));
+    assert_non_null(strstr(amst_last_error(), "the nearest number of faces is"));
+    int32_t entity;
+    amst_id id, patch;
+    must(amst_last_error_where(&entity, &id, &patch));
+    assert_int_equal(entity, AMST_ENTITY_NONE);
+    assert_int_equal(patch, 1);
+    amst_report_destroy(report);
+    amst_patches_destroy(set);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(it_outlives_mesh_and_patches),
+        cmocka_unit_test(what_was_in_the_way_is_told),
         cmocka_unit_test(sizes_of_patches_are_summed_up),
         cmocka_unit_test(sizes_of_a_whole_mesh),
         cmocka_unit_test(sizes_of_a_whole_mesh_that_stays),
