@@ -111,6 +111,7 @@ std::vector<Outcome> reduce_singularities(mesh::QuadMesh &mesh, std::vector<Patc
 Prediction predict(const mesh::QuadMesh &mesh, const Patch &patch, double alpha, const Settings &settings) {
     // Which filling is the best only the sizes and shapes of some can tell.
     mesh::QuadMesh copy = mesh;
+    copy.begun = std::make_shared<const mesh::QuadMesh>(mesh);
     std::vector<Patch> patches{patch};
     const Outcome outcome = adapt(copy, patches, alpha, settings, [](double, const char *) {}).front();
     if (outcome.fault)

@@ -105,6 +105,7 @@ Change::Change(const char *name, const amst_mesh &mesh, const amst_patches *patc
     progress_(0, "start");
     copy_ = std::make_shared<mesh::QuadMesh>(*mesh_->current);
     copy_->reset_origins();
+    copy_->begun = mesh_->current;
 }
 
 Settings Change::settings(const Options &options) {
@@ -228,6 +229,7 @@ amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
 
 void Change::commit() noexcept {
     const bool changed = transfer::reconnected(*mesh_->current, *copy_);
+    copy_->begun.reset();
     mesh_->current = std::move(copy_);
     if (!changed)
         return;

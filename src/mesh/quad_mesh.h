@@ -79,6 +79,8 @@ public:
     // Not in the checksum. While origins say that something has changed, the values are still those of
     // the mesh before: transfer::carry brings them along, once for an operation.
     Fields fields;
+    // That mesh before, while an operation changes this one; null: nothing has changed yet.
+    std::shared_ptr<const QuadMesh> begun;
     // Values [entities][components] of a field, null if there is none of that name.
     const std::vector<double> *field(Entity entity, std::string_view name) const noexcept {
         const Field *found = fields.find(entity, name);

@@ -48,9 +48,15 @@ std::optional<SizingField> SizingField::of(const mesh::QuadMesh &mesh, Reference
         return std::nullopt;
     const std::vector<double> *wished = mesh.field(Entity::vertex, "size");
     if (wished == nullptr)
-        return reference.surface ? SizingField(reference, wanted)
-                                 : SizingField(mesh, present_sizes(mesh), false);
-    SizingField field(mesh, *wished, true);
+        return reference.surface
+                   ? SizingField(reference, wanted)
+                   : SizingField(std::make_shared<const mesh::QuadMesh>(mesh), present_sizes(mesh), false);
+    // Its values are of the mesh as it was when the operation began.
+    std::shared_ptr<const mesh::QuadMesh> begun =
+        mesh.begun ? mesh.begun : std::make_shared<const mesh::QuadMesh>(mesh);
+    if (wished->size() != alphamst::at(begun->n_vertices()))
+        throw Failure(Fault::internal, "the field \"size\" is not of the mesh that the operation began with");
+    SizingField field(std::move(begun), *wished, true);
     return reference.surface ? SizingField(reference, field) : std::move(field);
 }
 
@@ -80,9 +86,9 @@ SizingField::SizingField(Reference &reference, const SizingField &field) : refer
                                              3));
 }
 
-SizingField::SizingField(const mesh::QuadMesh &mesh, std::vector<double> sizes, bool wished)
-    : mesh_(std::make_unique<const mesh::QuadMesh>(mesh)), size_(std::move(sizes)), wished_(wished) {
-    std::vector<int> all(static_cast<std::size_t>(mesh.n_faces()));
+SizingField::SizingField(std::shared_ptr<const mesh::QuadMesh> mesh, std::vector<double> sizes, bool wished)
+    : mesh_(std::move(mesh)), size_(std::move(sizes)), wished_(wished) {
+    std::vector<int> all(alphamst::at(mesh_->n_faces()));
     std::iota(all.begin(), all.end(), 0);
     faces_ = std::make_unique<const FaceTree>(*mesh_, std::move(all));
 }

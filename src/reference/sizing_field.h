@@ -32,14 +32,15 @@ public:
     double total(const mesh::QuadMesh &mesh) const;
 
 private:
-    SizingField(const mesh::QuadMesh &mesh, std::vector<double> sizes, bool wished);
+    // sizes: [vertex of the mesh]
+    SizingField(std::shared_ptr<const mesh::QuadMesh> mesh, std::vector<double> sizes, bool wished);
     SizingField(Reference &reference, const SizingField &field);
     SizingField(Reference &reference, std::int64_t wanted);
 
     double at(const Eigen::Vector3d &point) const;
 
     // In a plane: the mesh as it was, on the heap, as the tree of faces keeps its address.
-    std::unique_ptr<const mesh::QuadMesh> mesh_;
+    std::shared_ptr<const mesh::QuadMesh> mesh_;
     std::unique_ptr<const FaceTree> faces_;
     std::vector<double> size_;
     const Reference *reference_ = nullptr; // on a surface

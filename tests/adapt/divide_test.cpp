@@ -62,6 +62,7 @@ TEST(Parts, OfAMeshWithAFieldOfSizesTellNothingOfOtherFaces) {
     mesh::Field field{Entity::vertex, "size", 1, mesh::Carry::linear, {}};
     field.values.assign(at(mesh.n_vertices()), 1);
     mesh.fields.set(std::make_shared<const mesh::Field>(std::move(field)));
+    mesh.begun = std::make_shared<const mesh::QuadMesh>(mesh);
     std::vector<Patch> patches(1);
     patches[0].faces = frame();
     Outcome outcome;

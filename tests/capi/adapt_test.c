@@ -166,6 +166,34 @@ static void what_cannot_be_adapted_is_left(void **state) {
     amst_context_destroy(ctx);
 }
 
+/* Parts are filled after one another; what is wished stays that of the mesh at first. */
+static void a_ring_with_wished_sizes_gets_its_count(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_grid(ctx, 0, 20, 20);
+    amst_patches *set = NULL;
+    amst_id ring[400];
+    double sizes[21 * 21];
+    int64_t n = 0, faces = 0;
+    for (amst_id f = 0; f < 400; ++f)
+        if (f % 20 < 5 || f % 20 >= 15 || f / 20 < 5 || f / 20 >= 15)
+            ring[n++] = f;
+    for (int v = 0; v < 21 * 21; ++v)
+        sizes[v] = 1;
+    must(amst_mesh_set_field(mesh, AMST_VERTEX, "size", 1, AMST_CARRY_LINEAR, sizes, 21 * 21));
+    must(amst_patches_create(mesh, NULL, &set));
+    must(amst_patches_add_faces(set, ring, n, NULL));
+    must(amst_patches_predict(set, 0, 1.5, NULL, &faces, NULL));
+    assert_int_equal(faces, 450);
+    must(amst_adapt(mesh, set, 1.5, NULL, NULL));
+    assert_int_equal(count_of(mesh, AMST_FACE), 400 + 150);
+    must(amst_mesh_get_field(mesh, AMST_VERTEX, "size", NULL, 0, &n));
+    assert_int_equal(n, count_of(mesh, AMST_VERTEX));
+    amst_patches_destroy(set);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
 static void unusable_corners_leave_the_patch(void **state) {
     (void)state;
     amst_context *ctx = new_context(0);
@@ -319,6 +347,7 @@ int main(void) {
         cmocka_unit_test(each_patch_may_have_its_own_alpha),
         cmocka_unit_test(the_set_moves_along),
         cmocka_unit_test(what_cannot_be_adapted_is_left),
+        cmocka_unit_test(a_ring_with_wished_sizes_gets_its_count),
         cmocka_unit_test(unusable_corners_leave_the_patch),
         cmocka_unit_test(given_corners_are_used),
         cmocka_unit_test(bad_arguments_change_nothing),

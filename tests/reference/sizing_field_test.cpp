@@ -149,6 +149,28 @@ TEST(SizingField, OnASurfaceIsOfTheSizesThere) {
     EXPECT_NEAR(bottom * std::pow(size(point_of(mesh, 0)), 2), 1, 0.25);
 }
 
+// While an operation is under way, values of the field are still those of the mesh that it began with.
+TEST(SizingField, OfAChangedMeshIsWhatWasWishedBefore) {
+    const auto size = [](const Vector3d &p) { return 0.5 + 0.25 * p.x(); };
+    mesh::QuadMesh mesh = mesh::grid(8, 8, [](double s, double t) { return Vector3d(s, t, 0); });
+    set_size(mesh, size);
+    mesh.begun = std::make_shared<const mesh::QuadMesh>(mesh);
+    const auto corners = mesh.corners(0); // one face becomes five
+    const std::vector<OpenMesh::Vec3d> points = {
+        {0.04, 0.04, 0}, {0.08, 0.04, 0}, {0.08, 0.08, 0}, {0.04, 0.08, 0}};
+    mesh.replace_disk(
+        std::vector{0}, corners,
+        std::vector<std::array<int, 4>>{{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}},
+        points);
+    Reference reference = reference_of(mesh);
+    const auto density = SizingField::of(mesh, reference, mesh.n_faces());
+    ASSERT_TRUE(density);
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        EXPECT_NEAR(density->of_face(mesh, f) * std::pow(size(centre(mesh, f)), 2), 1, 1e-9);
+    mesh.begun.reset();
+    EXPECT_THROW(SizingField::of(mesh, reference, mesh.n_faces()), Failure);
+}
+
 TEST(SizingField, OfNoFacesIsNone) {
     mesh::QuadMesh mesh = mesh::QuadMesh::build(3, std::vector<double>{0, 0, 0}, {});
     set_size(mesh, [](const Vector3d &) { return 1.0; });
