@@ -138,7 +138,7 @@ void open_squeezed(const Problem &problem, Points &points, Floor floor) {
     if (region.vertices.size() > most_together)
         return;
     int iterations = 8;
-    newton(problem, region, other, iterations, squeezed_below);
+    Newton(problem, region).untangle(other, iterations, squeezed_below);
     for (const int q : region.quads)
         if (const auto i = static_cast<std::size_t>(q);
             !(worst_of(problem, i, other, true).openness() > before) ||

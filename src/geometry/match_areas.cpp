@@ -20,13 +20,13 @@ constexpr int most_iterations = 12;
 
 // The barrier is so steep next to a corner that is hardly positive that it would stay so: there the
 // regularised one first makes room.
-void open_squeezed(const Problem &problem, const FreeRegion &region, Points &positions) {
+void open_squeezed(const Problem &problem, const FreeRegion &region, Newton &newton, Points &positions) {
     const double before = worst_determinant(problem, region.quads, positions);
     if (before > squeezed)
         return;
     Points opened = positions;
     int iterations = most_iterations;
-    newton(problem, region, opened, iterations, squeezed);
+    newton.untangle(opened, iterations, squeezed);
     if (worst_determinant(problem, region.quads, opened) > before)
         positions = std::move(opened);
 }
@@ -56,8 +56,9 @@ Embedding match_areas(Quads quads, std::span<const char> fixed, Points positions
                        [&](double area) { return area * total / sum; });
     };
     renew(positions);
-    open_squeezed(problem, region, positions);
-    minimise(problem, region, positions, {weight, rounds, steps, renew});
+    Newton newton(problem, region);
+    open_squeezed(problem, region, newton, positions);
+    newton.minimise(positions, {weight, rounds, steps, renew});
     sharpen_corners(problem, positions, options, 0);
     return judge(quads, std::move(positions));
 }

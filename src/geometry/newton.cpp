@@ -1,10 +1,12 @@
 #include "geometry/newton.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "geometry/block_cholesky.h"
+#include "index.h"
 #include "quality/corner.h"
 
 namespace alphamst::geometry {
@@ -18,14 +20,16 @@ Eigen::Vector4d corner_edges(const std::array<int, 4> &quad, std::size_t k, cons
     return edges;
 }
 
-// Newton's method on the vertices of a region, the corner Hessians projected.
-class RegionNewton {
+} // namespace
+
+// One on all vertices of a region, the corner Hessians projected.
+class Newton::Step {
 public:
-    RegionNewton(const Problem &problem, const FreeRegion &region)
+    Step(const Problem &problem, const FreeRegion &region)
         : problem_(problem), region_(region), index_(region.member.size(), -1),
           gradient_(2 * static_cast<Eigen::Index>(region.vertices.size())) {
         for (std::size_t i = 0; i < region.vertices.size(); ++i)
-            index_[static_cast<std::size_t>(region.vertices[i])] = static_cast<int>(2 * i);
+            index_[at(region.vertices[i])] = static_cast<int>(i);
     }
 
     double energy(const Barrier &barrier, const Points &points) const {
@@ -37,16 +41,12 @@ public:
     }
 
     // One step with a line search; false if nothing was gained.
-    bool step(const Barrier &barrier, Points &points) {
+    bool take(const Barrier &barrier, Points &points) {
         assemble(barrier, points);
-        if (!analysed_) {
-            factor_.analyzePattern(hessian_);
-            analysed_ = true;
-        }
-        factor_.factorize(hessian_);
-        if (factor_.info() != Eigen::Success)
+        // A trace of the identity keeps nearly flat directions bounded.
+        if (!hessian_->factor(1e-8 * hessian_->trace() / static_cast<double>(gradient_.size())))
             return false;
-        const Eigen::VectorXd direction = -factor_.solve(gradient_);
+        const Eigen::VectorXd direction = -hessian_->solve(gradient_);
         const double slope = direction.dot(gradient_), start = energy(barrier, points);
         if (!(slope < 0))
             return false;
@@ -54,7 +54,7 @@ public:
         double t = 1;
         for (int halving = 0; halving < 12; ++halving, t *= 0.5) {
             for (std::size_t i = 0; i < region_.vertices.size(); ++i) {
-                const auto v = static_cast<std::size_t>(region_.vertices[i]);
+                const std::size_t v = at(region_.vertices[i]);
                 points[v] = from[v] + t * direction.segment<2>(2 * static_cast<Eigen::Index>(i));
             }
             if (energy(barrier, points) <= start + 1e-4 * t * slope)
@@ -65,86 +65,77 @@ public:
     }
 
 private:
-    const std::array<int, 4> &quad(int q) const { return problem_.quads[static_cast<std::size_t>(q)]; }
-    double area(int q) const { return problem_.area[static_cast<std::size_t>(q)]; }
+    const std::array<int, 4> &quad(int q) const { return problem_.quads[at(q)]; }
+    double area(int q) const { return problem_.area[at(q)]; }
 
     void assemble(const Barrier &barrier, const Points &points) {
-        gradient_.setZero();
-        if (slots_.empty())
+        if (!hessian_)
             lay_out_hessian();
-        double *const values = hessian_.valuePtr();
-        std::fill_n(values, hessian_.nonZeros(), 0.0);
-        const int *slot = slots_.data();
+        gradient_.setZero();
+        hessian_->set_zero();
+        auto slot = slots_.begin();
         for (const int q : region_.quads)
             for (std::size_t k = 0; k < 4; ++k)
-                slot = scatter(expand_corner(barrier, corner_edges(quad(q), k, points), area(q)), quad(q), k,
-                               slot);
-        // A trace of the identity keeps nearly flat directions bounded.
-        const double shift = 1e-8 * hessian_.diagonal().sum() / static_cast<double>(gradient_.size());
-        hessian_.diagonal().array() += shift;
+                scatter(expand_corner(barrier, corner_edges(quad(q), k, points), area(q)),
+                        unknowns(quad(q), k), *slot++);
     }
 
-    // Visits the entries of one corner in the lower triangle, in the order of scatter.
-    template <class Visit>
-    void visit(const std::array<int, 4> &quad, std::size_t k, const Visit &visit) const {
-        const std::array<std::size_t, 3> corner{k, (k + 1) % 4, (k + 3) % 4};
-        for (Eigen::Index i = 0; i < 6; ++i)
-            if (const int row = unknown(quad, corner[static_cast<std::size_t>(i) / 2], i % 2); row >= 0)
-                for (Eigen::Index j = 0; j < 6; ++j)
-                    if (const int column = unknown(quad, corner[static_cast<std::size_t>(j) / 2], j % 2);
-                        column >= 0 && column <= row)
-                        visit(row, column, i, j);
+    // A corner, the next and the previous one: unknowns, -1 if they stay.
+    std::array<int, 3> unknowns(const std::array<int, 4> &quad, std::size_t k) const {
+        return {index_[at(quad[k])], index_[at(quad[(k + 1) % 4])], index_[at(quad[(k + 3) % 4])]};
     }
 
-    // The pattern, and where in it each entry of each corner goes.
+    // The pattern, and where in it each block of each corner goes.
     void lay_out_hessian() {
-        std::vector<Eigen::Triplet<double>> entries;
+        std::vector<std::array<int, 2>> pairs;
         for (const int q : region_.quads)
-            for (std::size_t k = 0; k < 4; ++k)
-                visit(quad(q), k, [&](int row, int column, Eigen::Index, Eigen::Index) {
-                    entries.emplace_back(row, column, 1.0);
-                });
-        hessian_.resize(gradient_.size(), gradient_.size());
-        hessian_.setFromTriplets(entries.begin(), entries.end());
-        for (const auto &entry : entries) {
-            const int *const rows = hessian_.innerIndexPtr();
-            const int *const first = rows + hessian_.outerIndexPtr()[entry.col()];
-            const int *const last = rows + hessian_.outerIndexPtr()[entry.col() + 1];
-            slots_.push_back(static_cast<int>(std::lower_bound(first, last, entry.row()) - rows));
-        }
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    if (const std::array<int, 2> pair{index_[at(quad(q)[i])], index_[at(quad(q)[j])]};
+                        pair[0] >= 0 && pair[1] >= 0)
+                        pairs.push_back(pair);
+        hessian_.emplace(static_cast<int>(region_.vertices.size()), pairs);
+        for (const int q : region_.quads)
+            for (std::size_t k = 0; k < 4; ++k) {
+                const std::array<int, 3> corner = unknowns(quad(q), k);
+                auto &slots = slots_.emplace_back();
+                for (std::size_t s = 0; s < slots.size(); ++s)
+                    if (const auto [i, j] = block_at[s]; corner[i] >= 0 && corner[j] >= 0)
+                        slots[s] = hessian_->slot(corner[i], corner[j]);
+            }
     }
 
-    // Edges are next - corner and previous - corner: the corner takes minus both. Returns the next slot.
-    const int *scatter(const CornerExpansion &e, const std::array<int, 4> &quad, std::size_t k,
-                       const int *slot) {
-        Eigen::Matrix<double, 4, 6> edges_of_points;
-        const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(), zero = Eigen::Matrix2d::Zero();
-        edges_of_points << -one, one, zero, -one, zero, one;
-        const Eigen::Matrix<double, 6, 1> g = edges_of_points.transpose() * e.gradient;
-        const Eigen::Matrix<double, 6, 6> h = edges_of_points.transpose() * e.hessian * edges_of_points;
-        const std::array<std::size_t, 3> corner{k, (k + 1) % 4, (k + 3) % 4};
-        for (Eigen::Index i = 0; i < 6; ++i)
-            if (const int row = unknown(quad, corner[static_cast<std::size_t>(i) / 2], i % 2); row >= 0)
-                gradient_[row] += g[i];
-        visit(quad, k,
-              [&](int, int, Eigen::Index i, Eigen::Index j) { hessian_.valuePtr()[*slot++] += h(i, j); });
-        return slot;
-    }
+    // Rows and columns of the blocks of a corner.
+    static constexpr std::array<std::array<std::size_t, 2>, 6> block_at{
+        {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+    using Slots = std::array<BlockCholesky::Slot, block_at.size()>;
 
-    int unknown(const std::array<int, 4> &quad, std::size_t corner, Eigen::Index axis) const {
-        const int first = index_[static_cast<std::size_t>(quad[corner])];
-        return first < 0 ? -1 : first + static_cast<int>(axis);
+    // Edges are next - corner and previous - corner: the corner takes minus both.
+    void scatter(const CornerExpansion &e, const std::array<int, 3> &corner, const Slots &slots) {
+        const Eigen::Vector2d next = e.gradient.head<2>(), previous = e.gradient.tail<2>();
+        const std::array<Eigen::Vector2d, 3> gradients{-next - previous, next, previous};
+        for (std::size_t i = 0; i < 3; ++i)
+            if (corner[i] >= 0)
+                gradient_.segment<2>(2 * static_cast<Eigen::Index>(corner[i])) += gradients[i];
+        const Eigen::Matrix2d aa = e.hessian.topLeftCorner<2, 2>(), ab = e.hessian.topRightCorner<2, 2>(),
+                              bb = e.hessian.bottomRightCorner<2, 2>();
+        const Eigen::Matrix2d from_a = aa + ab.transpose(), from_b = ab + bb;
+        const std::array<Eigen::Matrix2d, block_at.size()> blocks{from_a + from_b, aa,      bb,
+                                                                  -from_a,         -from_b, ab};
+        for (std::size_t s = 0; s < slots.size(); ++s)
+            if (slots[s].block >= 0)
+                hessian_->add(slots[s], blocks[s]);
     }
 
     const Problem &problem_;
     const FreeRegion &region_;
-    std::vector<int> index_; // first unknown by vertex, -1 if it stays
+    std::vector<int> index_; // unknown by vertex, -1 if it stays
     Eigen::VectorXd gradient_;
-    std::vector<int> slots_; // of the entries of each corner in the hessian
-    Eigen::SparseMatrix<double> hessian_;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
-    bool analysed_ = false;
+    std::optional<BlockCholesky> hessian_;
+    std::vector<Slots> slots_; // [quad of the region][corner]
 };
+
+namespace {
 
 constexpr double least_epsilon = 1e-9;
 constexpr double left_behind = 0.1; // epsilon over the worst negative determinant
@@ -188,22 +179,27 @@ double worst_determinant(const Problem &problem, std::span<const int> quads, con
     return worst;
 }
 
-bool newton(const Problem &problem, const FreeRegion &region, Points &points, int &iterations,
-            double margin) {
-    if (region.vertices.empty())
-        return worst_determinant(problem, region.quads, points) > margin;
-    RegionNewton solver(problem, region);
-    Barrier barrier{.area = problem.area};
-    double worst = worst_determinant(problem, region.quads, points);
+Newton::Newton(const Problem &problem, const FreeRegion &region) : problem_(problem), region_(region) {
+    if (!region.vertices.empty())
+        step_ = std::make_unique<Step>(problem, region);
+}
+
+Newton::~Newton() = default;
+
+bool Newton::untangle(Points &points, int &iterations, double margin) {
+    if (!step_)
+        return worst_determinant(problem_, region_.quads, points) > margin;
+    Barrier barrier{.area = problem_.area};
+    double worst = worst_determinant(problem_, region_.quads, points);
     barrier.epsilon = 1;
     for (; iterations > 0 && worst <= margin; --iterations) {
         // epsilon follows a determinant that rises; one that it leaves behind will not.
         if (barrier.epsilon < left_behind * -worst)
             break;
-        const double before = solver.energy(barrier, points);
-        const bool gained = solver.step(barrier, points);
-        const double after = solver.energy(barrier, points);
-        worst = worst_determinant(problem, region.quads, points);
+        const double before = step_->energy(barrier, points);
+        const bool gained = step_->take(barrier, points);
+        const double after = step_->energy(barrier, points);
+        worst = worst_determinant(problem_, region_.quads, points);
         // Garanzha et al. lower epsilon as far as the progress made allows, sigma being at least
         // a tenth; near the minimum a Newton step has earned half.
         const double progress = 1 - after / before;
@@ -217,18 +213,17 @@ bool newton(const Problem &problem, const FreeRegion &region, Points &points, in
     return worst > margin;
 }
 
-void minimise(const Problem &problem, const FreeRegion &region, Points &points, const Descent &descent) {
+void Newton::minimise(Points &points, const Descent &descent) {
     // Of the energy: the steps after one that gains less were seen to change no size or shape that counts.
     constexpr double least_gain = 0.02;
-    if (region.vertices.empty())
+    if (!step_)
         return;
-    RegionNewton solver(problem, region);
-    const Barrier barrier{.theta = descent.theta, .area = problem.area};
+    const Barrier barrier{.theta = descent.theta, .area = problem_.area};
     for (int round = 0; round < descent.rounds; ++round) {
         descent.renew(points);
-        double before = solver.energy(barrier, points);
-        for (int left = descent.steps; left > 0 && solver.step(barrier, points); --left) {
-            const double now = solver.energy(barrier, points);
+        double before = step_->energy(barrier, points);
+        for (int left = descent.steps; left > 0 && step_->take(barrier, points); --left) {
+            const double now = step_->energy(barrier, points);
             if (now > (1 - least_gain) * before)
                 break;
             before = now;

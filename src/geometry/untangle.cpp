@@ -112,7 +112,7 @@ bool untangle(const Problem &problem, Points &points, int sweeps, std::ptrdiff_t
         const int worst = bad.front();
         const double before = worst_determinant(problem, {&worst, 1}, points);
         int iterations = most;
-        const bool done = newton(problem, region, points, iterations, positive);
+        const bool done = Newton(problem, region).untangle(points, iterations, positive);
         effort -= size * (most - iterations);
         if (done)
             return true;

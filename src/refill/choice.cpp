@@ -192,16 +192,18 @@ ShapeBounds FillingChoice::bounds() const {
 // Lays the filling out and takes it if it is better than the best; where that costs a corner, sizes get
 // less weight. Whether its shapes are good.
 bool FillingChoice::judge(const Ranked &ranked, std::int64_t number) {
+    PlacedFilling shape = ranked.shape;
     for (const double weight : size_weights) {
-        auto evaluation = evaluate(ranked, weight);
+        auto evaluation = evaluate(shape, weight);
         if (evaluation && weight == usual_size_weight && is_too_small(*evaluation))
-            evaluation = evaluate(ranked, heavy_size_weight);
+            evaluation = evaluate(shape, heavy_size_weight);
         if (!evaluation)
             return false;
         if (is_too_small(*evaluation)) {
             trace_.refuse(Refused::size);
             return false;
         }
+        shape.positions = evaluation->flat; // from where other weights are near
         const double quality = evaluation->shape.scaled_jacobian;
         const SizeError sizes = evaluation->size_error;
         const double price =
@@ -218,10 +220,10 @@ bool FillingChoice::judge(const Ranked &ranked, std::int64_t number) {
     return false;
 }
 
-std::optional<Evaluation> FillingChoice::evaluate(const Ranked &ranked, double size_weight) {
+std::optional<Evaluation> FillingChoice::evaluate(const PlacedFilling &shape, double size_weight) {
     ++layouts_;
-    effort_ += static_cast<std::int64_t>(ranked.shape.filling.quads.size());
-    return evaluator_.evaluate(ranked.shape, bounds(), size_weight);
+    effort_ += static_cast<std::int64_t>(shape.filling.quads.size());
+    return evaluator_.evaluate(shape, bounds(), size_weight);
 }
 
 bool FillingChoice::is_too_small(const Evaluation &evaluation) const {

@@ -48,7 +48,7 @@ private:
     bool spent() const;
     ShapeBounds bounds() const;
     bool judge(const Ranked &ranked, std::int64_t number);
-    std::optional<Evaluation> evaluate(const Ranked &ranked, double size_weight);
+    std::optional<Evaluation> evaluate(const PlacedFilling &shape, double size_weight);
     bool is_too_small(const Evaluation &evaluation) const;
     [[noreturn]] void refuse() const;
 

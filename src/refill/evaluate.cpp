@@ -184,6 +184,8 @@ std::optional<Evaluation> Evaluator::evaluate(const PlacedFilling &candidate, co
     replacement.window = cavity_.window;
     replacement.filling = filling;
     replacement.points = cavity_.lift(embedding);
+    if (!cavity_.curved())
+        evaluation.flat = embedding.flat;
     if (cavity_.curved())
         replacement.surface_triangles.assign(embedding.on_surface.surface_triangles.begin() +
                                                  filling.boundary,

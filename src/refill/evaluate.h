@@ -52,6 +52,7 @@ struct Evaluation {
     Replacement replacement;
     ShapeBounds shape;    // of the filling, with the buffer if that moves
     SizeError size_error; // where the goal asks for sizes
+    geometry::Points flat; // places of the filling in the plane of the patch; empty if that is curved
 };
 
 class Evaluator {

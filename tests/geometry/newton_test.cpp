@@ -75,7 +75,7 @@ TEST(Newton, TurnsEveryCornerOfItsRegionPositive) {
         ASSERT_FALSE(judge(setting.s.quads, points).valid);
         const FreeRegion region(setting.problem(), setting.all(), 0);
         int iterations = 100;
-        EXPECT_TRUE(newton(setting.problem(), region, points, iterations, margin));
+        EXPECT_TRUE(Newton(setting.problem(), region).untangle(points, iterations, margin));
         EXPECT_LT(iterations, 100);
         EXPECT_GT(iterations, 0);
         EXPECT_GT(worst_determinant(setting.problem(), region.quads, points), margin);
@@ -94,7 +94,7 @@ TEST(Newton, LeavesWhatIsOutsideItsRegion) {
     const std::vector<int> seed{8 * 4 + 4};
     const FreeRegion region(setting.problem(), seed, 1);
     int iterations = 60;
-    EXPECT_TRUE(newton(setting.problem(), region, points, iterations, margin));
+    EXPECT_TRUE(Newton(setting.problem(), region).untangle(points, iterations, margin));
     for (std::size_t v = 0; v < points.size(); ++v)
         if (!region.member[v]) {
             EXPECT_EQ(points[v], setting.s.points[v]);
@@ -108,7 +108,7 @@ TEST(Newton, WithoutIterationsOrVerticesItOnlyLooks) {
         Points points = setting->s.points;
         const FreeRegion region(setting->problem(), setting->all(), 0);
         int none = 0;
-        EXPECT_EQ(newton(setting->problem(), region, points, none, margin), setting == &even);
+        EXPECT_EQ(Newton(setting->problem(), region).untangle(points, none, margin), setting == &even);
         EXPECT_EQ(points, setting->s.points);
         EXPECT_EQ(none, 0);
     }
