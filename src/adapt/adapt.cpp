@@ -20,21 +20,27 @@ bool is_open(const Outcome &outcome) {
     return outcome.fault == Fault::no_filling || outcome.fault == Fault::geometry;
 }
 
-// A large patch of many singular vertices for which no better filling was found.
-bool keeps_many(const Outcome &outcome) {
+bool stays(const Outcome &outcome) {
+    return !outcome.fault && outcome.faces_after == outcome.faces_before &&
+           outcome.faces_wanted == outcome.faces_before &&
+           outcome.singular_after == outcome.singular_before;
+}
+
+// A patch with inverted faces, or a large one of many singular vertices, for which no better filling was
+// found.
+bool stays_bad(const Outcome &outcome) {
     // Faces; faces for a singular vertex. A patch of 887 faces in the shape of a C kept 233, in parts 114.
     constexpr std::int64_t large = 300, seldom = 12;
-    return !outcome.fault && outcome.faces_before >= large && outcome.faces_after == outcome.faces_before &&
-           outcome.faces_wanted == outcome.faces_before &&
-           outcome.singular_after == outcome.singular_before &&
-           outcome.singular_after * seldom > outcome.faces_after;
+    const bool has_many =
+        outcome.faces_before >= large && outcome.singular_after * seldom > outcome.faces_after;
+    return stays(outcome) && (has_many || !(outcome.quality_after > 0));
 }
 
 // Or a ring, or a region with several holes, which has no single filling.
 bool is_for_parts(const mesh::QuadMesh &mesh, const Patch &patch, const Outcome &outcome) {
     return is_open(outcome) ||
            (outcome.fault == Fault::patch && patch::defects(mesh, patch.faces) == patch::not_disk) ||
-           keeps_many(outcome);
+           stays_bad(outcome);
 }
 
 // What no single filling does is done in parts.

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,7 +39,7 @@ struct EmbedOptions {
     int untangle_sweeps = 200;         // give up afterwards
     bool patient = true;               // false: untangle only what comes right soon
     double least_area = 0.005;         // of a corner, over the wanted one, that the smallest angles may cost
-    double size_weight = 1.0 / 128;    // improve in the plane: of areas against shapes
+    std::optional<double> size_weight; // improve: of areas against shapes, in 0 .. 1; none: as it chooses
     std::span<const double> area = {}; // improve: [quad] wanted; empty: all equal
     // improve on a surface: [vertex] where those that are on a feature line may go; empty: there are none.
     std::span<const FeatureLine> feature_lines = {};

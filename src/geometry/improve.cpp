@@ -14,7 +14,8 @@ namespace alphamst::geometry {
 
 namespace {
 
-constexpr double least_square = 1e-12; // of the scaled Jacobian, while softened
+constexpr double size_weight = 1.0 / 128; // of areas against shapes: where all are equal, shapes make them so
+constexpr double least_square = 1e-12;    // of the scaled Jacobian, while softened
 constexpr double squeezed_below = 0.1;
 constexpr std::size_t most_together = 60; // of more vertices at once none was seen to gain
 
@@ -111,7 +112,7 @@ private:
 };
 
 void sweep_barrier(const Problem &problem, Points &points, const EmbedOptions &options, Floor floor) {
-    BarrierSweep barrier(problem, points, options.size_weight, floor);
+    BarrierSweep barrier(problem, points, options.size_weight.value_or(size_weight), floor);
     std::vector<std::vector<int>> classes;
     if (options.run)
         classes = colour(problem);

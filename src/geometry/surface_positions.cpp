@@ -192,7 +192,7 @@ private:
         thread_local TangentStar star;
         star.lay(problem_, on_surface_, v, options_.feature_lines);
         const double least = least_determinant(star);
-        Barrier barrier{.theta = size_weight, .area = problem_.area};
+        Barrier barrier{.theta = options_.size_weight.value_or(size_weight), .area = problem_.area};
         double distance = 0;
         if (!(least > tight)) {
             barrier.epsilon = std::max(0.3 * std::max(0.0, -least), softest * std::pow(0.5, step_) + 1e-3);

@@ -27,9 +27,14 @@ constexpr double least_area = 0.4;
 // asked for anew once vertices have moved.
 constexpr int surface_rounds = 2;
 
+// Of areas against shapes on a surface, where vertices move one by one: with .6, patches refined by 4 have an
+// error of sizes of .75 instead of .61.
+constexpr double surface_size_weight = 0.9;
+
 geometry::EmbedOptions sized_shaping(const Settings &settings) {
     geometry::EmbedOptions options = smooth::shaping(settings);
     options.least_area = least_area;
+    options.size_weight = surface_size_weight;
     return options;
 }
 
