@@ -22,8 +22,7 @@ bool is_open(const Outcome &outcome) {
 
 bool stays(const Outcome &outcome) {
     return !outcome.fault && outcome.faces_after == outcome.faces_before &&
-           outcome.faces_wanted == outcome.faces_before &&
-           outcome.singular_after == outcome.singular_before;
+           outcome.faces_wanted == outcome.faces_before && outcome.singular_after == outcome.singular_before;
 }
 
 // A patch with inverted faces, or a large one of many singular vertices, for which no better filling was

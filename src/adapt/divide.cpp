@@ -28,20 +28,6 @@ constexpr int balances = 3;
 // Rounds that only save singular vertices.
 constexpr int savings = 2;
 
-// Alphas that bring parts to so many faces as their weights say, together to `total`.
-void share(std::vector<Patch> &parts, const std::vector<double> &weights, std::int64_t total) {
-    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    double passed = 0;
-    std::int64_t given = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        passed += weights[i];
-        const std::int64_t now = std::llround(static_cast<double>(total) * passed / sum);
-        parts[i].alpha = static_cast<double>(std::max<std::int64_t>(1, now - given)) /
-                         static_cast<double>(parts[i].faces.size());
-        given = now;
-    }
-}
-
 std::int64_t count_faces(const std::vector<Patch> &parts) {
     std::int64_t sum = 0;
     for (const Patch &part : parts)

@@ -99,6 +99,19 @@ refill::Goal goal_of(const Patch &patch, double alpha) {
     return goal;
 }
 
+void share(std::vector<Patch> &patches, const std::vector<double> &weights, std::int64_t total) {
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    double passed = 0;
+    std::int64_t given = 0;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        passed += weights[i];
+        const std::int64_t now = std::llround(static_cast<double>(total) * passed / sum);
+        patches[i].alpha = static_cast<double>(std::max<std::int64_t>(1, now - given)) /
+                           static_cast<double>(patches[i].faces.size());
+        given = now;
+    }
+}
+
 bool wants_more_room(const refill::Proposal &proposal) {
     return (proposal.outcome.fault || proposal.unchanged) && proposal.trace.of(refill::Refused::distance) > 0;
 }

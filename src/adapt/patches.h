@@ -41,6 +41,9 @@ bool wants_more_room(const refill::Proposal &proposal);
 // What an alpha asks of a patch that has none of its own.
 refill::Goal goal_of(const Patch &patch, double alpha);
 
+// Alphas that bring patches to so many faces as their weights say, together to `total`.
+void share(std::vector<Patch> &patches, const std::vector<double> &weights, std::int64_t total);
+
 // Makes faces ascending; what is known of each goes with it.
 void sort_faces(Patch &patch, Outcome &outcome);
 

@@ -2,6 +2,7 @@
 // more singular vertices than before.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 #include <tuple>
@@ -9,11 +10,13 @@
 #include "adapt/chord_prepass.h"
 #include "adapt/divide.h"
 #include "adapt/layers.h"
+#include "adapt/pieces.h"
 #include "adapt/schedule.h"
 #include "index.h"
 #include "reference/feature_line.h"
 #include "reference/size_error.h"
 #include "reference/statistics.h"
+#include "refill/choice.h"
 #include "refill/patch.h"
 
 namespace alphamst::adapt {
@@ -21,6 +24,10 @@ namespace {
 
 // Singular vertices that there may be on the way, for each at first, where a first try left more.
 constexpr double some_room = 1.5, no_room = 1;
+
+// Singular vertices that windows are not asked to save: a square whose border stays needs four to get other
+// sizes inside; and one in so many faces.
+constexpr std::int64_t most_singular = 4, seldom = 100;
 
 bool rose(const Outcome &outcome) { return outcome.singular_after > outcome.singular_before; }
 
@@ -100,6 +107,45 @@ private:
         if (settings_.align && mesh_.surface)
             cross_field_.emplace(mesh_);
         chord_prepass(mesh_, begin_.faces_wanted, settings_, tell_);
+        mesh::QuadMesh other = mesh_;
+        bool suffices = false;
+        const std::optional<Outcome> of_pieces = by_pieces(suffices);
+        if (suffices)
+            return *of_pieces;
+        if (of_pieces)
+            std::swap(mesh_, other);
+        const Outcome of_windows = by_windows();
+        if (!of_pieces || price(of_windows) <= price(*of_pieces))
+            return of_windows;
+        std::swap(mesh_, other);
+        return *of_pieces;
+    }
+
+    // Of small meshes, with what windows then gain.
+    std::optional<Outcome> by_pieces(bool &suffices) {
+        const std::optional<std::size_t> pieces = refill_pieces(
+            mesh_, begin_.faces_wanted, settings_, [this](double, const char *stage) { tell_(0, stage); });
+        if (!pieces)
+            return std::nullopt;
+        Outcome outcome = outcome_of(mesh_);
+        const std::int64_t few =
+            most_singular * static_cast<std::int64_t>(*pieces) + begin_.faces_wanted / seldom;
+        suffices = missing(outcome) == 0 && outcome.singular_after <= few;
+        if (suffices) {
+            tell_(1, "pieces");
+            return outcome;
+        }
+        mesh::QuadMesh tried = mesh_;
+        const Outcome result = attempt(tried, std::nullopt);
+        if (price(result) < price(outcome)) {
+            outcome = result;
+            mesh_ = std::move(tried);
+        }
+        suffices = missing(outcome) == 0 && outcome.singular_after <= std::max(begin_.singular_before, few);
+        return outcome;
+    }
+
+    Outcome by_windows() {
         // Sizes that are asked for need singular vertices, and in a plane the boundary does.
         std::optional<mesh::QuadMesh> begun;
         if (mesh_.surface && mesh_.dim() == 3 && mesh_.field(Entity::vertex, "size") == nullptr)
@@ -173,6 +219,14 @@ private:
     // The number of faces comes first; where it cannot be had, no singular vertices are made for it.
     std::tuple<bool, bool, std::int64_t, std::int64_t> rank(const Outcome &of) const {
         return {missing(of) != 0, rose(of), missing(of), of.singular_after};
+    }
+
+    // As rank, but then by what choices of fillings weigh.
+    std::tuple<bool, bool, std::int64_t, double> price(const Outcome &of) const {
+        const reference::SizeError sizes{of.size_error_after, std::log2(of.least_area_after), 0};
+        return {missing(of) != 0, missing(of) != 0 && rose(of), missing(of),
+                static_cast<double>(of.singular_after) +
+                    refill::price_of(sizes, of.quality_after, refill::enough)};
     }
 
     mesh::QuadMesh &mesh_;

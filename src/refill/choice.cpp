@@ -18,8 +18,6 @@ namespace {
 constexpr double price_of_size = 5, price_of_shape = 40;
 // Where singular vertices are to be saved and any count will do, sizes and shapes cost so much of that.
 constexpr double saving = 0.4;
-// A smallest scaled Jacobian that does, or the old one where that is lower.
-constexpr double enough = 0.5;
 // Fillings with so many singular vertices more than the fewest compete: with 10, nothing was gained.
 constexpr int levels = 8;
 // No filling was seen to come nearer to its sizes, rms.
@@ -54,6 +52,11 @@ constexpr double any_shape = 0, any_number = 1e18;
 
 } // namespace
 
+double price_of(const SizeError &sizes, double scaled_jacobian, double enough) {
+    return price_of_size * sizes.rms + price_of_small * std::max(0.0, small - sizes.least) +
+           price_of_shape * std::max(0.0, enough - scaled_jacobian);
+}
+
 FillingChoice::FillingChoice(const Cavity &cavity, Evaluator &evaluator, Trace &trace, const Goal &goal,
                              const Settings &settings)
     : cavity_(cavity), evaluator_(evaluator), trace_(trace), goal_(goal), settings_(settings),
@@ -68,9 +71,7 @@ FillingChoice::FillingChoice(const Cavity &cavity, Evaluator &evaluator, Trace &
 
 double FillingChoice::score(std::int64_t singular, const SizeError &sizes, double scaled_jacobian) const {
     const double wanted = present_ ? enough : std::min(cavity_.old_quality, enough);
-    return static_cast<double>(singular) +
-           price_ * (price_of_size * sizes.rms + price_of_small * std::max(0.0, small - sizes.least) +
-                     price_of_shape * std::max(0.0, wanted - scaled_jacobian));
+    return static_cast<double>(singular) + price_ * price_of(sizes, scaled_jacobian, wanted);
 }
 
 Chosen FillingChoice::run() {

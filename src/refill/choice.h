@@ -14,6 +14,12 @@
 
 namespace alphamst::refill {
 
+// A smallest scaled Jacobian that does, or the old one where that is lower.
+inline constexpr double enough = 0.5;
+
+// What sizes and a smallest scaled Jacobian below `enough` cost, in singular vertices.
+double price_of(const SizeError &sizes, double scaled_jacobian, double enough);
+
 // What was taken. Without an evaluation nothing is better than what is there.
 struct Chosen {
     std::optional<Evaluation> evaluation;

@@ -76,7 +76,7 @@ TEST(Whole, EqualOnAnyNumberOfThreads) {
 TEST(Whole, OtherSeedsGiveOtherMeshes) {
     std::set<std::uint64_t> digests;
     for (const std::uint64_t seed : {1, 2, 3}) {
-        mesh::QuadMesh mesh = unstructured(16, 5);
+        mesh::QuadMesh mesh = unstructured(34, 5); // no piece, which has one best filling
         Settings settings;
         settings.seed = seed;
         adapt_whole(mesh, 1, settings, silent);
