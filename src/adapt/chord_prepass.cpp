@@ -86,8 +86,8 @@ void chord_prepass(mesh::QuadMesh &mesh, std::int64_t wanted, const Settings &se
     std::int64_t singular = 0;
     reference::count(mesh, valences, singular);
     const auto faces = static_cast<double>(mesh.n_faces()), aim = static_cast<double>(wanted);
-    if (!mesh.surface || mesh.dim() == 2 || static_cast<double>(singular * seldom) > faces ||
-        mesh.field(Entity::vertex, "size") != nullptr)
+    const bool regular = singular * seldom <= mesh.n_faces() || reference::fewest_singular(valences);
+    if (!mesh.surface || mesh.dim() == 2 || !regular || mesh.field(Entity::vertex, "size") != nullptr)
         return;
     chord::Rules rules;
     rules.boundary = settings.edit_boundary;

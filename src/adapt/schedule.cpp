@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 
 #include "adapt/expected_gain.h"
 #include "adapt/mend_sizes.h"
 #include "adapt/sweep.h"
 #include "reference/sizing_field.h"
+#include "reference/statistics.h"
 #include "smooth/align.h"
 #include "smooth/relax.h"
 
@@ -343,13 +345,11 @@ private:
 
     int largest() const { return std::max(large, mesh_.n_faces() / most_of_mesh); }
 
-    // No mesh of this genus has fewer.
     bool regular() const {
-        int sum = 0;
-        for (int v = 0; v < mesh_.n_vertices(); ++v)
-            if (!mesh_.isolated(v) && !mesh_.on_boundary(v))
-                sum += 4 - mesh_.valence(v);
-        return sweep_.singular() <= std::abs(sum);
+        std::map<int, std::int64_t> valences;
+        std::int64_t singular = 0;
+        reference::count(mesh_, valences, singular);
+        return reference::fewest_singular(valences);
     }
 
     bool is_far() const {

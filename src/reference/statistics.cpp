@@ -95,6 +95,13 @@ std::int64_t singular(const std::map<int, std::int64_t> &valences) {
     return sum;
 }
 
+bool fewest_singular(const std::map<int, std::int64_t> &valences) {
+    std::int64_t sum = 0;
+    for (const auto &[valence, count] : valences)
+        sum += (4 - valence) * count;
+    return singular(valences) <= std::abs(sum);
+}
+
 double least_quality(const mesh::QuadMesh &mesh) { return least_of(mesh, scaled_jacobian); }
 
 double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces) {

@@ -22,6 +22,8 @@ void count(const mesh::QuadMesh &mesh, std::span<const int> faces, std::map<int,
 
 // Those of valence other than 4.
 std::int64_t singular(const std::map<int, std::int64_t> &valences);
+// What is closed, or has such a boundary, has no fewer of valences 3 and 5: all are of one kind.
+bool fewest_singular(const std::map<int, std::int64_t> &valences);
 
 // What outcomes tell as quality: the smallest scaled Jacobian as quality::measure has it, whatever an
 // operation judges shapes by. 0 where there are no faces.

@@ -276,6 +276,16 @@ TEST(Begin, LeavesThePlane) {
     }
 }
 
+// Eight singular vertices in 96 faces are many, but no cube has fewer.
+TEST(Begin, ASmallCubeComesToFourTimesItsFacesByChordsAlone) {
+    mesh::QuadMesh mesh = on_itself(mesh::cube(4, [](const Eigen::Vector3d &p) { return p; }));
+    ASSERT_EQ(mesh.n_faces(), 96);
+    chord_prepass(mesh, 384, {}, silent);
+    EXPECT_EQ(mesh.n_faces(), 384);
+    EXPECT_EQ(mesh.singularities().size(), 8u);
+    EXPECT_NO_THROW(mesh.check());
+}
+
 TEST(Begin, LeavesWhatWouldUncoverTheSurface) {
     // Twelve vertices around the tube, and a surface with a spike between them.
     mesh::QuadMesh spiked = mesh::torus(144, 48).build(3);

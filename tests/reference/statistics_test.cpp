@@ -110,5 +110,12 @@ TEST(Statistics, BoundaryVerticesWantAFaceForEachRightAngle) {
     EXPECT_EQ(mismatch(split, 0), -1);
 }
 
+TEST(Statistics, FewestSingularVerticesAreAllOfOneKind) {
+    EXPECT_TRUE(fewest_singular({{4, 100}}));
+    EXPECT_TRUE(fewest_singular({{3, 8}, {4, 10}})); // a cube
+    EXPECT_FALSE(fewest_singular({{3, 9}, {4, 10}, {5, 1}}));
+    EXPECT_TRUE(fewest_singular({{4, 10}, {6, 1}}));
+}
+
 } // namespace
 } // namespace alphamst::reference
