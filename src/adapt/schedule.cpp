@@ -324,7 +324,7 @@ private:
 
     void finish() {
         tell(0.9, "relax");
-        smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
+        smooth::settle_by_sizes(mesh_, reference_, sizing_, settings_);
         if (reference_.surface)
             smooth::fit_to_surface(mesh_, reference_, sizing_, settings_);
         if (cross_field_) // who asks for the field gets it, at some distance to the surface
@@ -333,7 +333,7 @@ private:
         // Without a field those of a curved mesh are a matter of its curvature, not of a wish.
         const bool asked = sizing_ && (!reference_.surface || sizing_->wished());
         if (asked && mend_sizes(mesh_, reference_, patient_) > 0)
-            smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
+            smooth::settle_by_sizes(mesh_, reference_, sizing_, settings_);
         tell(1, "mend");
     }
 

@@ -5,6 +5,7 @@
 
 #include "geometry/embed.h"
 #include "geometry/fit.h"
+#include "geometry/match_areas.h"
 #include "geometry/star.h"
 #include "index.h"
 #include "parallel/workers.h"
@@ -24,8 +25,21 @@ constexpr double least_relaxed = 0.3;
 // In the plane: of sizes against shapes. Errors of sizes fall from .55 (rms of log2) at 1/128 to .43 at .2,
 // .36 at .4 and .34 at .6, where a fifth of the faces gets too long.
 constexpr double size_weight = 0.4;
+// At last, where the caller wishes sizes: errors fall from .43 to .31, and long faces are worth it.
+constexpr double wished_size_weight = 0.7;
 // Of a corner, over the wanted area of its face, that the smallest angles may cost: with .3 time steps halve.
 constexpr double least_area = 0.5;
+
+// Of quads that had as much: below, vertices go back.
+constexpr double least_settled = 0.5;
+constexpr int settling_rounds = 8; // three were the most that were seen to be needed
+
+std::vector<double> scaled_jacobians(geometry::Quads quads, const geometry::Points &positions) {
+    std::vector<double> least;
+    for (std::size_t q = 0; q < quads.size(); ++q)
+        least.push_back(geometry::shapes_of(quads.subspan(q, 1), positions).min_scaled_jacobian);
+    return least;
+}
 
 double area_of(const mesh::QuadMesh &mesh, int face) {
     return geometry::area_vector(reference::quad_of(mesh, face)).norm();
@@ -80,16 +94,62 @@ geometry::EmbedOptions whole_shaping(const Settings &settings, const parallel::W
     return options;
 }
 
+void put(mesh::QuadMesh &mesh, const geometry::Plane &plane, std::span<const char> fixed,
+         const geometry::Points &positions) {
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        if (fixed[at(v)])
+            continue;
+        const Eigen::Vector3d p = plane.to_space(positions[at(v)]);
+        mesh.set_point(v, {p.x(), p.y(), mesh.dim() == 2 ? 0.0 : p.z()});
+    }
+}
+
 void relax_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, std::span<const char> fixed,
                 geometry::EmbedOptions options) {
     options.size_weight = size_weight;
     options.least_area = least_area;
-    const auto result = geometry::improve(mesh.faces(), fixed, reference::flatten(mesh, plane), options);
-    for (int v = 0; v < mesh.n_vertices(); ++v) {
-        if (fixed[at(v)])
-            continue;
-        const Eigen::Vector3d p = plane.to_space(result.positions[at(v)]);
-        mesh.set_point(v, {p.x(), p.y(), mesh.dim() == 2 ? 0.0 : p.z()});
+    put(mesh, plane, fixed,
+        geometry::improve(mesh.faces(), fixed, reference::flatten(mesh, plane), options).positions);
+}
+
+// Newton's method on all vertices at once: areas travel farther than where vertices move one by one. Where
+// corners close, vertices stay.
+void settle_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, const reference::SizingField &density,
+                 const Settings &settings) {
+    const auto wanted = [&](const geometry::Points &positions) {
+        std::vector<double> areas;
+        for (const auto &quad : mesh.faces()) {
+            geometry::Quad corners;
+            for (std::size_t k = 0; k < 4; ++k)
+                corners[k] = plane.to_space(positions[at(quad[k])]);
+            areas.push_back(geometry::area_vector(corners).norm() / density.weight(corners));
+        }
+        return areas;
+    };
+    geometry::EmbedOptions options = shaping(settings);
+    options.least_area = least_area;
+    const geometry::Points start = reference::flatten(mesh, plane);
+    if (!geometry::judge(mesh.faces(), start).valid)
+        return;
+    const std::vector<double> before = scaled_jacobians(mesh.faces(), start);
+    std::vector<char> fixed = constrained_vertices(mesh);
+    for (int round = 0; round < settling_rounds; ++round) {
+        const geometry::Points positions =
+            geometry::match_areas(mesh.faces(), fixed, start, wanted,
+                                  density.wished() ? wished_size_weight : size_weight, options)
+                .positions;
+        const std::vector<double> now = scaled_jacobians(mesh.faces(), positions);
+        bool spoiled = false;
+        for (std::size_t f = 0; f < now.size(); ++f)
+            if (now[f] < std::min(before[f], least_settled)) {
+                spoiled = true;
+                for (const int v : mesh.faces()[f])
+                    fixed[at(v)] = 1;
+            }
+        if (!spoiled) {
+            put(mesh, plane, fixed, positions);
+            return;
+        }
     }
 }
 
@@ -182,6 +242,13 @@ void relax_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
         relax_flat(mesh, *reference.plane, fixed, options);
     else
         relax_on_surface(mesh, reference, std::move(fixed), options);
+}
+
+void settle_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
+                     const std::optional<reference::SizingField> &density, const Settings &settings) {
+    relax_by_sizes(mesh, reference, density, settings);
+    if (reference.plane && density)
+        settle_flat(mesh, *reference.plane, *density, settings);
 }
 
 void fit_to_surface(mesh::QuadMesh &mesh, reference::Reference &reference,

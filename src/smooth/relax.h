@@ -14,6 +14,11 @@ namespace alphamst::smooth {
 void relax_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
                     const std::optional<reference::SizingField> &density, const Settings &settings);
 
+// The same to the end: in a plane with a density sizes come as near as the connectivity lets them. No face
+// that had a scaled Jacobian of a half gets below that, and none of less gets worse.
+void settle_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
+                     const std::optional<reference::SizingField> &density, const Settings &settings);
+
 // Moves all vertices of a curved mesh that may move, over the surface, so that the faces come nearer to it
 // between them; shapes may suffer, but no scaled Jacobian falls below 0.3 by that.
 void fit_to_surface(mesh::QuadMesh &mesh, reference::Reference &reference,

@@ -10,6 +10,7 @@
 #include "geometry/approximation_error.h"
 #include "mesh/curved.h"
 #include "reference/locate.h"
+#include "reference/size_error.h"
 #include "reference/surface_of.h"
 
 namespace alphamst::smooth {
@@ -56,6 +57,28 @@ TEST(Relax, NeverLowersTheWorstCornerInThePlane) {
         if (mesh.on_boundary(v)) {
             EXPECT_EQ(mesh.point(v), before.point(v));
         }
+}
+
+// A grid with boundary points where its rows begin that has to become three times as dense in its middle:
+// areas have a long way to go. No corner that was good closes.
+TEST(Relax, SettlingBringsAreasFartherThanRelaxing) {
+    constexpr int n = 40;
+    mesh::QuadMesh mesh = grid(n, n);
+    mesh::Field field{Entity::vertex, "size", 1, mesh::Carry::linear, {}};
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        field.values.push_back(
+            1 +
+            std::min(1.0, (reference::point_of(mesh, v) - Eigen::Vector3d(n / 2.0, n / 2.0, 0)).norm() / 8));
+    mesh.fields.set(std::make_shared<const mesh::Field>(std::move(field)));
+    reference::Reference reference = reference::reference_of(mesh);
+    reference::WholeSizes sizes(mesh, reference, mesh.n_faces());
+    const auto density = reference::SizingField::of(mesh, reference, mesh.n_faces());
+    mesh::QuadMesh relaxed = mesh;
+    relax_by_sizes(relaxed, reference, density, {});
+    settle_by_sizes(mesh, reference, density, {});
+    EXPECT_NO_THROW(mesh.check());
+    EXPECT_LT(sizes.error(mesh).rms, 0.8 * sizes.error(relaxed).rms);
+    EXPECT_GE(least_scaled_jacobian(mesh, all_faces(mesh)), 0.5);
 }
 
 // A coarse mesh of a bump: its vertices stay on the surface, and what is between them comes nearer to it.
