@@ -696,7 +696,9 @@ AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *pa
  * FEATURE, marked or borders of regions, both alike, slides between its neighbours on
  * them where the curve is straight, as it was when an operation first found it so flagged;
  * so no curve changes. FIXED and CORNER vertices stay. The same holds for whole meshes in
- * amst_adapt and amst_reduce_singularities. */
+ * amst_adapt and amst_reduce_singularities. In a plane faces keep the
+ * sizes that there are around, or come to those of the field "size", for which scaled Jacobians may fall, but
+ * none below a half; on a surface without that field sizes become even. */
 AMST_API amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst_options *options,
                                  amst_report **report);
 /* Remove doublets and split valences above 5. The revision rises if there were any. */

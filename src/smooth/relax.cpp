@@ -5,7 +5,6 @@
 
 #include "geometry/embed.h"
 #include "geometry/fit.h"
-#include "geometry/match_areas.h"
 #include "geometry/star.h"
 #include "index.h"
 #include "parallel/workers.h"
@@ -13,7 +12,9 @@
 #include "reference/feature_line.h"
 #include "reference/locate.h"
 #include "reference/statistics.h"
+#include "smooth/areas.h"
 #include "smooth/roll_back.h"
+#include "smooth/settle.h"
 #include "smooth/shaping.h"
 
 namespace alphamst::smooth {
@@ -22,71 +23,12 @@ namespace {
 // A scaled Jacobian that relaxing a surface as a whole may fall to.
 constexpr double least_relaxed = 0.3;
 
-// In the plane: of sizes against shapes. Errors of sizes fall from .55 (rms of log2) at 1/128 to .43 at .2,
-// .36 at .4 and .34 at .6, where a fifth of the faces gets too long.
-constexpr double size_weight = 0.4;
-// At last, where the caller wishes sizes: errors fall from .43 to .31, and long faces are worth it.
-constexpr double wished_size_weight = 0.7;
-// Of a corner, over the wanted area of its face, that the smallest angles may cost: with .3 time steps halve.
-constexpr double least_area = 0.5;
-
-// Of quads that had as much: below, vertices go back.
+// Of scaled Jacobians in the end, of quads that had as much.
 constexpr double least_settled = 0.5;
-constexpr int settling_rounds = 8; // three were the most that were seen to be needed
-
-std::vector<double> scaled_jacobians(geometry::Quads quads, const geometry::Points &positions) {
-    std::vector<double> least;
-    for (std::size_t q = 0; q < quads.size(); ++q)
-        least.push_back(geometry::shapes_of(quads.subspan(q, 1), positions).min_scaled_jacobian);
-    return least;
-}
-
-double area_of(const mesh::QuadMesh &mesh, int face) {
-    return geometry::area_vector(reference::quad_of(mesh, face)).norm();
-}
-
-// Of each face: the mean over the faces around it, some layers deep.
-std::vector<double> local_areas(const mesh::QuadMesh &mesh) {
-    constexpr int layers = 4;
-    std::vector<double> area;
-    for (int f = 0; f < mesh.n_faces(); ++f)
-        area.push_back(area_of(mesh, f));
-    std::vector<double> sum(at(mesh.n_vertices())), count(sum.size(), 0);
-    for (const auto &q : mesh.faces())
-        for (const int v : q)
-            ++count[at(v)];
-    for (int layer = 0; layer < layers; ++layer) {
-        std::fill(sum.begin(), sum.end(), 0);
-        for (std::size_t f = 0; f < area.size(); ++f)
-            for (const int v : mesh.faces()[f])
-                sum[at(v)] += area[f];
-        for (std::size_t f = 0; f < area.size(); ++f) {
-            area[f] = 0;
-            for (const int v : mesh.faces()[f])
-                area[f] += sum[at(v)] / count[at(v)] / 4;
-        }
-    }
-    return area;
-}
-
-// By the density, so scaled that they sum up to the area of the mesh.
-std::vector<double> wanted_areas(const mesh::QuadMesh &mesh, const reference::SizingField &density) {
-    std::vector<double> wanted;
-    double sum = 0, area = 0;
-    for (int f = 0; f < mesh.n_faces(); ++f) {
-        wanted.push_back(1 / density.of_face(mesh, f));
-        sum += wanted.back();
-        area += area_of(mesh, f);
-    }
-    for (double &a : wanted)
-        a *= area / sum;
-    return wanted;
-}
 
 // Of a whole mesh, with these wanted areas.
-geometry::EmbedOptions whole_shaping(const Settings &settings, const parallel::Workers &workers,
+geometry::EmbedOptions whole_shaping(geometry::EmbedOptions options, const parallel::Workers &workers,
                                      std::span<const double> area) {
-    geometry::EmbedOptions options = shaping(settings);
     options.area = area;
     options.run = [&workers](std::size_t n, const std::function<void(std::size_t)> &work) {
         workers.run(n, [&](std::size_t i, std::size_t) { work(i); });
@@ -105,15 +47,11 @@ void put(mesh::QuadMesh &mesh, const geometry::Plane &plane, std::span<const cha
 }
 
 void relax_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, std::span<const char> fixed,
-                geometry::EmbedOptions options) {
-    options.size_weight = size_weight;
-    options.least_area = least_area;
+                const geometry::EmbedOptions &options) {
     put(mesh, plane, fixed,
         geometry::improve(mesh.faces(), fixed, reference::flatten(mesh, plane), options).positions);
 }
 
-// Newton's method on all vertices at once: areas travel farther than where vertices move one by one. Where
-// corners close, vertices stay.
 void settle_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, const reference::SizingField &density,
                  const Settings &settings) {
     const auto wanted = [&](const geometry::Points &positions) {
@@ -126,31 +64,11 @@ void settle_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, const refer
         }
         return areas;
     };
-    geometry::EmbedOptions options = shaping(settings);
-    options.least_area = least_area;
-    const geometry::Points start = reference::flatten(mesh, plane);
-    if (!geometry::judge(mesh.faces(), start).valid)
-        return;
-    const std::vector<double> before = scaled_jacobians(mesh.faces(), start);
-    std::vector<char> fixed = constrained_vertices(mesh);
-    for (int round = 0; round < settling_rounds; ++round) {
-        const geometry::Points positions =
-            geometry::match_areas(mesh.faces(), fixed, start, wanted,
-                                  density.wished() ? wished_size_weight : size_weight, options)
-                .positions;
-        const std::vector<double> now = scaled_jacobians(mesh.faces(), positions);
-        bool spoiled = false;
-        for (std::size_t f = 0; f < now.size(); ++f)
-            if (now[f] < std::min(before[f], least_settled)) {
-                spoiled = true;
-                for (const int v : mesh.faces()[f])
-                    fixed[at(v)] = 1;
-            }
-        if (!spoiled) {
-            put(mesh, plane, fixed, positions);
-            return;
-        }
-    }
+    const std::vector<char> fixed = constrained_vertices(mesh);
+    geometry::Points positions = reference::flatten(mesh, plane);
+    settle(mesh.faces(), fixed, positions, wanted, density.wished() ? wished_size_weight : size_weight,
+           least_settled, flat_shaping(settings));
+    put(mesh, plane, fixed, positions);
 }
 
 // Quads that are worse than they were, and than a relaxed one may be.
@@ -237,7 +155,8 @@ void relax_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
     std::vector<char> fixed = constrained_vertices(mesh);
     const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
     const parallel::Workers workers(settings.threads);
-    const geometry::EmbedOptions options = whole_shaping(settings, workers, area);
+    const geometry::EmbedOptions options =
+        whole_shaping(reference.plane ? flat_shaping(settings) : shaping(settings), workers, area);
     if (reference.plane)
         relax_flat(mesh, *reference.plane, fixed, options);
     else
@@ -255,7 +174,7 @@ void fit_to_surface(mesh::QuadMesh &mesh, reference::Reference &reference,
                     const std::optional<reference::SizingField> &density, const Settings &settings) {
     const std::vector<double> area = density ? wanted_areas(mesh, *density) : local_areas(mesh);
     const parallel::Workers workers(settings.threads);
-    const geometry::EmbedOptions options = whole_shaping(settings, workers, area);
+    const geometry::EmbedOptions options = whole_shaping(shaping(settings), workers, area);
     const geometry::SurfacePositions start = reference.on_surface(mesh);
     geometry::SurfacePositions on_surface = start;
     std::vector<geometry::Sample> samples;

@@ -3,17 +3,23 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "index.h"
 #include "patch/region.h"
 #include "reference/feature_line.h"
 #include "reference/locate.h"
 #include "reference/reference.h"
 #include "reference/statistics.h"
 #include "reference/surface_of.h"
+#include "smooth/areas.h"
 #include "smooth/roll_back.h"
+#include "smooth/settle.h"
 #include "smooth/shaping.h"
 
 namespace alphamst::smooth {
 namespace {
+
+// A scaled Jacobian down to which corners may close for wished sizes.
+constexpr double enough = 0.5;
 
 // Some faces and their vertices; the free ones are inside and not constrained, the sliding ones inside and on
 // feature lines.
@@ -73,12 +79,18 @@ struct Part {
 };
 
 void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &plane,
-                 const Settings &settings) {
+                 std::span<const double> areas, bool wished, const Settings &settings) {
     geometry::Points positions;
     for (const int v : part.vertices)
         positions.push_back(plane.to_plane(reference::point_of(mesh, v)));
-    const geometry::Embedding improved =
-        geometry::improve(part.quads, part.fixed, std::move(positions), shaping(settings));
+    geometry::EmbedOptions options = flat_shaping(settings);
+    options.area = areas;
+    geometry::Embedding improved = geometry::improve(part.quads, part.fixed, std::move(positions), options);
+    if (wished)
+        settle(
+            part.quads, part.fixed, improved.positions,
+            [&](const geometry::Points &) { return std::vector<double>(areas.begin(), areas.end()); },
+            wished_size_weight, enough, options);
     part.put(mesh, [&](std::size_t i) { return plane.to_space(improved.positions[i]); });
 }
 
@@ -96,7 +108,7 @@ std::vector<int> spoiled(std::span<const double> before, std::span<const double>
 }
 
 void smooth_on_surface(mesh::QuadMesh &mesh, const Part &part, const reference::Reference &reference,
-                       const Settings &settings) {
+                       std::span<const double> areas, const Settings &settings) {
     geometry::SurfacePositions start =
         reference::positions_on_surface(mesh, *reference.surface, reference.surface_triangles, part.vertices);
     reference::forget_normals(mesh, part.vertices, part.quads, start);
@@ -105,6 +117,7 @@ void smooth_on_surface(mesh::QuadMesh &mesh, const Part &part, const reference::
         geometry::SurfacePositions on_surface = start;
         geometry::EmbedOptions options = shaping(settings);
         options.feature_lines = tried.feature_lines;
+        options.area = areas;
         geometry::improve(*reference.surface, tried.quads, tried.fixed, on_surface, options);
         if (!roll_back(tried.quads, start, on_surface, tried.feature_lines,
                        [&] { return spoiled(before, geometry::scaled_jacobians(tried.quads, on_surface)); }))
@@ -121,7 +134,24 @@ void smooth_on_surface(mesh::QuadMesh &mesh, const Part &part, const reference::
     try_with(part);
 }
 
-Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const Settings &settings) {
+// Of some faces, so scaled that they sum up to what these have.
+std::vector<double> scaled(const mesh::QuadMesh &mesh, const std::vector<int> &faces,
+                           const std::vector<double> &areas) {
+    std::vector<double> wanted;
+    double sum = 0, area = 0;
+    for (const int f : faces) {
+        wanted.push_back(areas[at(f)]);
+        sum += wanted.back();
+        area += geometry::area_vector(reference::quad_of(mesh, f)).norm();
+    }
+    for (double &a : wanted)
+        a *= area / sum;
+    return wanted;
+}
+
+// all: [face of the mesh] wanted areas, but for a factor
+Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const std::vector<double> &all,
+                     const Settings &settings) {
     const auto start = std::chrono::steady_clock::now();
     const Part part(mesh, faces);
     Outcome outcome;
@@ -143,10 +173,16 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     const Patch patch{faces, {}, 0};
     const reference::Reference reference = reference::reference_of(mesh, std::span(&patch, 1));
     mesh.surface = reference.surface;
-    if (const auto plane = reference::plane_of(mesh, faces))
-        smooth_flat(mesh, part, *plane, settings);
+    const auto plane = reference::plane_of(mesh, faces);
+    // On a surface without a wish all are equal: vertices that bunch along its features spread.
+    std::vector<double> areas;
+    const bool wished = mesh.field(Entity::vertex, "size") != nullptr;
+    if (plane || wished)
+        areas = scaled(mesh, faces, all);
+    if (plane)
+        smooth_flat(mesh, part, *plane, areas, wished, settings);
     else
-        smooth_on_surface(mesh, part, reference, settings);
+        smooth_on_surface(mesh, part, reference, areas, settings);
     outcome.quality_after = reference::least_quality(mesh, faces);
     outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh, faces);
     outcome.time_step = reference::time_step_ratio(time_step, reference::time_step(mesh, faces));
@@ -161,15 +197,17 @@ std::vector<Outcome> smooth(mesh::QuadMesh &mesh, const std::vector<Patch> *patc
     std::vector<Outcome> outcomes;
     if (mesh.dim() == 3)
         mesh.curves = reference::curves_of(mesh);
+    const std::vector<double> *sizes = mesh.field(Entity::vertex, "size");
+    const std::vector<double> areas = sizes != nullptr ? wished_areas(mesh, *sizes) : local_areas(mesh);
     if (patches == nullptr) {
         progress(0, "smooth");
         std::vector<int> faces(static_cast<std::size_t>(mesh.n_faces()));
         std::iota(faces.begin(), faces.end(), 0);
-        outcomes.push_back(smooth_faces(mesh, faces, settings));
+        outcomes.push_back(smooth_faces(mesh, faces, areas, settings));
     } else {
         for (const Patch &patch : *patches) {
             progress(static_cast<double>(outcomes.size()) / static_cast<double>(patches->size()), "smooth");
-            outcomes.push_back(smooth_faces(mesh, patch.faces, settings));
+            outcomes.push_back(smooth_faces(mesh, patch.faces, areas, settings));
         }
     }
     progress(1, "smooth");

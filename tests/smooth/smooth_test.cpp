@@ -2,6 +2,7 @@
 #include "index.h"
 #include "mesh/curved.h"
 #include "mesh/feature.h"
+#include "reference/locate.h"
 #include "reference/reference.h"
 
 namespace alphamst::smooth {
@@ -109,6 +110,48 @@ TEST(Smooth, RegularGridStays) {
     smooth::smooth(mesh, nullptr, {}, silent);
     for (int v = 0; v < mesh.n_vertices(); ++v)
         EXPECT_LT((mesh.point(v) - before.point(v)).norm(), 1e-9);
+}
+
+// A plane mesh that is graded stays so, also after several times.
+TEST(Smooth, KeepsTheSizesOfAGradedMesh) {
+    constexpr int n = 16;
+    mesh::QuadMesh mesh = grid(n, n);
+    std::mt19937 random(4);
+    const auto graded = [](double x) { return std::pow(1.25, x); };
+    for (int v = 0; v < mesh.n_vertices(); ++v) {
+        OpenMesh::Vec3d p = mesh.point(v);
+        if (!mesh.on_boundary(v))
+            p += OpenMesh::Vec3d(0.4 * adapt::samples::chance(random) - 0.2,
+                                 0.4 * adapt::samples::chance(random) - 0.2, 0);
+        mesh.set_point(v, {graded(p[0]), graded(p[1]), 0});
+    }
+    const auto ratio = [&] {
+        double least = 1e300, most = 0;
+        for (int f = 0; f < mesh.n_faces(); ++f) {
+            const double area = geometry::area_vector(reference::quad_of(mesh, f)).norm();
+            least = std::min(least, area);
+            most = std::max(most, area);
+        }
+        return most / least;
+    };
+    const double before = ratio();
+    for (int k = 0; k < 5; ++k)
+        smooth(mesh, nullptr, {}, silent);
+    EXPECT_LT(ratio(), 1.5 * before);
+    EXPECT_GT(ratio(), before / 3);
+}
+
+// With a field "size" they become what is wished.
+TEST(Smooth, GivesTheSizesThatAreWished) {
+    constexpr int n = 16;
+    mesh::QuadMesh mesh = grid(n, n), plain = mesh;
+    mesh::Field field{Entity::vertex, "size", 1, mesh::Carry::linear, {}};
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        field.values.push_back(1 + mesh.point(v)[0] / n);
+    mesh.fields.set(std::make_shared<const mesh::Field>(std::move(field)));
+    smooth(mesh, nullptr, {}, silent);
+    const int middle = (n + 1) * (n / 2) + n / 2;
+    EXPECT_LT(mesh.point(middle)[0], plain.point(middle)[0] - 0.3);
 }
 
 TEST(Smooth, UntanglesOrLeaves) { // one inverted corner: never more of them
