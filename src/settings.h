@@ -32,7 +32,15 @@ struct Settings {
     int candidates = 16;            // fillings to try in a patch before it is left
     std::int64_t node_limit = 1000; // effort of one exact search
     double min_quality = 0;         // a filling must have a larger scaled Jacobian
-    double tolerance = 0.5;         // of the distance to the surface both ways, in wanted edges
+    double effort = 1;              // times as much is spent on better fillings
+    // Of sizes against shapes, in 0 .. 1: with less, sizes of four-fold refinements stay half as good; with
+    // more, corners close.
+    double size_weight = 0.7;
+    // See reference::RegionSizes: half leaves a core of a quarter of the area and a growth from face to face
+    // of less than 1.3 at alpha = 4.
+    double transition = 0.5;
+    double least_size = 0.125; // area over wanted area: no smaller face is made where there was none
+    double tolerance = 0.5;    // of the distance to the surface both ways, in wanted edges
     ChartKind chart = ChartKind::plane_or_circle;
     bool edit_boundary = false; // chords that end on it, or cross features, may go from whole curved meshes
     bool align = false;         // whole curved meshes: edges along the cross field

@@ -50,7 +50,7 @@ public:
         : mesh_(mesh), patches_(patches), patch_(patch), wanted_(wanted), settings_(settings),
           progress_(progress), random_(settings.seed) {
         if (mesh.field(Entity::vertex, "size") == nullptr) // else that says what is wanted
-            sizes_.emplace(mesh, patches[patch].faces, static_cast<double>(wanted));
+            sizes_.emplace(mesh, patches[patch].faces, static_cast<double>(wanted), settings.transition);
     }
 
     void run() {

@@ -21,8 +21,9 @@ constexpr double most_for_all = 250;
 } // namespace
 
 // Nothing is known yet: each is expected to save one the first time.
-ExpectedGain::ExpectedGain(int singular, int before, int faces, int largest)
-    : before_(before), faces_(faces), lately_{1, 1.0 * singular * (sizes[0].first + sizes[0].second)} {
+ExpectedGain::ExpectedGain(int singular, int before, int faces, int largest, double effort)
+    : before_(before),
+      faces_(effort * faces), lately_{1, 1.0 * singular * (sizes[0].first + sizes[0].second)} {
     for (const auto &[wander, wished] : sizes) {
         const int size = std::min(wished, largest);
         if (searches_.empty() || size > searches_.back().size || wander > searches_.back().wander)

@@ -18,8 +18,9 @@ public:
         int wander, size; // faces of a window
     };
 
-    // before: singular vertices that there were at first; more of them are worth more.
-    ExpectedGain(int singular, int before, int faces, int largest);
+    // before: singular vertices that there were at first; more of them are worth more. effort: times as much
+    // is spent.
+    ExpectedGain(int singular, int before, int faces, int largest, double effort = 1);
 
     // The one that is expected to save most for its effort.
     Search &best();

@@ -47,7 +47,7 @@ private:
         std::iota(all.begin(), all.end(), 0);
         const std::vector<double> weights = reference_.sizes->weights(mesh_, all);
         int face = -1;
-        double least = std::exp2(reference::too_small) * reference_.face_weight;
+        double least = settings_.least_size * reference_.face_weight;
         for (const int f : all)
             if (weights[at(f)] < least && !is_hopeless(f)) {
                 least = weights[at(f)];

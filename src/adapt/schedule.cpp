@@ -282,7 +282,8 @@ private:
     // Between windows that find none singularities wander, as no more of them, so that others come within
     // reach.
     void persist() {
-        ExpectedGain expected_gain(sweep_.singular(), singular_before_, mesh_.n_faces(), largest());
+        ExpectedGain expected_gain(sweep_.singular(), singular_before_, mesh_.n_faces(), largest(),
+                                   settings_.effort);
         while (!regular() && expected_gain.worthwhile(sweep_.singular())) {
             ExpectedGain::Search &search = expected_gain.best();
             const int before = sweep_.singular();

@@ -11,9 +11,6 @@
 namespace alphamst::reference {
 namespace {
 
-// Of the greatest distance from the border: over what part of it sizes change. Half leaves a core of a
-// quarter of the area and a growth from face to face of less than 1.3 at alpha = 4.
-constexpr double transition = 0.5;
 constexpr double points_per_face = 4; // of the lattice: fewer points than faces with their corners
 constexpr double least_points = 1000; // cheap for any patch
 // A patch so thin that it takes more of them goes without a lattice.
@@ -96,14 +93,17 @@ std::vector<Eigen::Vector3d> points_of(const mesh::QuadMesh &mesh, std::span<con
 } // namespace
 
 RegionSizes::RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions,
-                         double faces, std::vector<double> areas)
-    : RegionSizes(old, positions, faces, std::move(areas), border_of(old, positions)) {}
+                         double faces, double transition, std::vector<double> areas)
+    : RegionSizes(old, positions, faces, transition, std::move(areas), border_of(old, positions)) {}
 
-RegionSizes::RegionSizes(const mesh::QuadMesh &mesh, std::span<const int> region, double faces)
-    : RegionSizes(filling_of(mesh, region), points_of(mesh, region), faces, {}, border_of(mesh, region)) {}
+RegionSizes::RegionSizes(const mesh::QuadMesh &mesh, std::span<const int> region, double faces,
+                         double transition)
+    : RegionSizes(filling_of(mesh, region), points_of(mesh, region), faces, transition, {},
+                  border_of(mesh, region)) {}
 
 RegionSizes::RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions,
-                         double faces, std::vector<double> areas, std::vector<Segment> border)
+                         double faces, double transition, std::vector<double> areas,
+                         std::vector<Segment> border)
     : border_(std::move(border)), faces_(centres(old, positions)) {
     std::vector<double> share; // of the faces, were nothing divided
     for (std::size_t f = 0; f < old.quads.size(); ++f) {

@@ -19,12 +19,13 @@ class RegionSizes {
 public:
     // Wanted is the area that faces have now, smoothed over neighbours, or what `areas`, if there are any,
     // say for each of them: at the border, whose edges stay, as it is, and far from it divided by one number,
-    // so that the faces come to `faces`. In between it changes smoothly, over half of the greatest distance
-    // that a face has from the border. positions: of the vertices of the filling that is there, in space.
+    // so that the faces come to `faces`. In between it changes smoothly, over `transition` of the greatest
+    // distance that a face has from the border. positions: of the vertices of the filling that is there, in
+    // space.
     RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions, double faces,
-                std::vector<double> areas = {});
+                double transition, std::vector<double> areas = {});
     // Of faces of a mesh; there may be holes in between.
-    RegionSizes(const mesh::QuadMesh &mesh, std::span<const int> region, double faces);
+    RegionSizes(const mesh::QuadMesh &mesh, std::span<const int> region, double faces, double transition);
 
     double at(const Eigen::Vector3d &place) const { return std::exp(log_at(place)); }
     SizeError error(std::span<const geometry::Quad> quads) const;
@@ -33,7 +34,7 @@ private:
     using Segment = std::array<Eigen::Vector3d, 2>;
 
     RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions, double faces,
-                std::vector<double> areas, std::vector<Segment> border);
+                double transition, std::vector<double> areas, std::vector<Segment> border);
 
     static std::vector<Segment> border_of(const fill::Filling &old,
                                           const std::vector<Eigen::Vector3d> &positions);
@@ -45,9 +46,9 @@ private:
     double distance(const Eigen::Vector3d &place) const; // to the border
 
     std::vector<Segment> border_;
-    std::vector<double> log_areas_; // [face of the old filling]
-    PointTree faces_;               // their centres
-    double depth_ = 0, log_factor_ = 0;
+    std::vector<double> log_areas_;     // [face of the old filling]
+    PointTree faces_;                   // their centres
+    double depth_ = 0, log_factor_ = 0; // depth_: over which sizes change
     // In a plane: values at the points of a lattice over the cavity, between which they are interpolated, as
     // they are asked for a hundred thousand times. [row][column], rows along the y-axis.
     std::vector<double> lattice_;

@@ -20,10 +20,6 @@ struct SizeError {
     std::vector<double> each{}; // [quad] log2
 };
 
-// log2 of area / wanted area: no new face gets smaller than that unless there was one. A time step falls with
-// its root.
-constexpr double too_small = -3;
-
 // log_wanted: [quad] the natural logarithm of the area that is wanted there.
 SizeError size_error(std::span<const geometry::Quad> quads, std::span<const double> log_wanted);
 

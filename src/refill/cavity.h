@@ -36,10 +36,6 @@ struct CavityEmbedding : geometry::Judgement {
     int stuck = -1;                        // see geometry::Embedding
 };
 
-// Of sizes against shapes, in 0 .. 1: with less, sizes of four-fold refinements stay half as good; with more,
-// corners close.
-constexpr double usual_size_weight = 0.7;
-
 // Everything about the patch that its fillings are judged against.
 class Cavity {
 public:
@@ -88,10 +84,10 @@ public:
     SizeError old_size_error() const;
     double old_alignment_error() const; // 0 where there is no cross field
     // Where the goal asks for sizes, these count so much against shapes, in 0 .. 1.
-    CavityEmbedding embed(const PlacedFilling &shape, double size_weight = usual_size_weight) const;
+    CavityEmbedding embed(const PlacedFilling &shape, double size_weight = 0) const;
     // The same in two steps where the patch is curved: into the chart and from there to the surface; without
     // points if the chart does not take it. Then into shape.
-    CavityEmbedding start(const PlacedFilling &shape, double size_weight = usual_size_weight) const;
+    CavityEmbedding start(const PlacedFilling &shape, double size_weight = 0) const;
     CavityEmbedding smooth(const fill::Filling &filling, CavityEmbedding placed) const;
     bool sized() const { return sizes_.has_value(); }
     bool curved() const { return chart_.has_value(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -32,8 +33,8 @@ constexpr int least_layouts = 4;
 constexpr std::int64_t most_hope_on_surface = 2000;
 // What a new filling must be better by than one that can stay.
 constexpr double least_gain = 1;
-// Of sizes against shapes: the first, and those where it costs a corner.
-constexpr double size_weights[] = {usual_size_weight, 0.3, 0.1};
+// Of sizes against shapes, where the wanted weight costs a corner.
+constexpr double smaller_weights[] = {0.3, 0.1};
 // Where faces get too small.
 constexpr double heavy_size_weight = 0.95;
 // And what a degree costs by which edges turn away from the cross field: four weigh as much as a singular
@@ -102,7 +103,9 @@ Chosen FillingChoice::run() {
 
 bool FillingChoice::spent() const {
     const std::int64_t hope = cavity_.curved() ? most_hope_on_surface : most_hope;
-    return layouts_ >= least_layouts && effort_ >= (best_.evaluation ? most_effort : hope);
+    return layouts_ >= least_layouts &&
+           static_cast<double>(effort_) >=
+               settings_.effort * static_cast<double>(best_.evaluation ? most_effort : hope);
 }
 
 bool FillingChoice::over() const { return good() || spent(); }
@@ -196,9 +199,12 @@ ShapeBounds FillingChoice::bounds() const {
 // less weight. Whether its shapes are good.
 bool FillingChoice::judge(const Ranked &ranked, std::int64_t number) {
     PlacedFilling shape = ranked.shape;
-    for (const double weight : size_weights) {
+    std::vector<double> weights{settings_.size_weight};
+    std::ranges::copy_if(smaller_weights, std::back_inserter(weights),
+                         [&](double weight) { return weight < weights.front(); });
+    for (const double weight : weights) {
         auto evaluation = evaluate(shape, weight);
-        if (evaluation && weight == usual_size_weight && is_too_small(*evaluation))
+        if (evaluation && weight == weights.front() && is_too_small(*evaluation))
             evaluation = evaluate(shape, heavy_size_weight);
         if (!evaluation)
             return false;
@@ -230,7 +236,7 @@ std::optional<Evaluation> FillingChoice::evaluate(const PlacedFilling &shape, do
 }
 
 bool FillingChoice::is_too_small(const Evaluation &evaluation) const {
-    return evaluation.size_error.least < std::min(reference::too_small, old_least_);
+    return evaluation.size_error.least < std::min(std::log2(settings_.least_size), old_least_);
 }
 
 void FillingChoice::lay_out(std::vector<Ranked> &pool) {

@@ -159,7 +159,7 @@ void Cavity::want_sizes() {
             areas.push_back(1 / reference_.sizes->of_face(mesh_, f));
         }
     }
-    sizes_.emplace(old, places, static_cast<double>(goal_.faces), std::move(areas));
+    sizes_.emplace(old, places, static_cast<double>(goal_.faces), settings_.transition, std::move(areas));
 }
 
 std::vector<geometry::Quad> Cavity::in_space(const fill::Filling &filling,

@@ -50,8 +50,8 @@ struct Replacement {
 
 struct Evaluation {
     Replacement replacement;
-    ShapeBounds shape;    // of the filling, with the buffer if that moves
-    SizeError size_error; // where the goal asks for sizes
+    ShapeBounds shape;     // of the filling, with the buffer if that moves
+    SizeError size_error;  // where the goal asks for sizes
     geometry::Points flat; // places of the filling in the plane of the patch; empty if that is curved
 };
 
@@ -74,7 +74,7 @@ public:
     // Nothing if it does not reach the bounds, or spoils what must be kept. size_weight: of sizes against
     // shapes, where the cavity asks for sizes.
     std::optional<Evaluation> evaluate(const PlacedFilling &candidate, const ShapeBounds &bounds,
-                                       double size_weight = usual_size_weight);
+                                       double size_weight = 0);
 
 private:
     CavityEmbedding embed(const PlacedFilling &candidate, double size_weight, Refused &reason);

@@ -94,7 +94,7 @@ private:
         for (const auto &q : replacement.filling.quads)
             quads.push_back({points[at(q[0])], points[at(q[1])], points[at(q[2])], points[at(q[3])]});
         const double least = least_weight(quads);
-        return least < std::exp2(reference::too_small) * reference.face_weight &&
+        return least < settings_.least_size * reference.face_weight &&
                least < least_weight(quads_of(mesh_, replacement.window.faces));
     }
 

@@ -66,8 +66,9 @@ void settle_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, const refer
     };
     const std::vector<char> fixed = constrained_vertices(mesh);
     geometry::Points positions = reference::flatten(mesh, plane);
-    settle(mesh.faces(), fixed, positions, wanted, density.wished() ? wished_size_weight : size_weight,
-           least_settled, flat_shaping(settings));
+    settle(mesh.faces(), fixed, positions, wanted,
+           density.wished() ? settings.size_weight : *flat_shaping(settings).size_weight, least_settled,
+           flat_shaping(settings));
     put(mesh, plane, fixed, positions);
 }
 

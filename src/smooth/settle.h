@@ -5,10 +5,6 @@
 
 namespace alphamst::smooth {
 
-// Of sizes against shapes where the caller wishes sizes: at .4 their errors stay a third larger; long faces
-// are worth it.
-inline constexpr double wished_size_weight = 0.7;
-
 // Newton's method, as areas travel farther by it than where vertices move one by one. No scaled Jacobian that
 // was `enough` falls below that, and no other one falls; no corner inverts. Positions stay as they are if
 // they are not valid.

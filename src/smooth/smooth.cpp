@@ -90,7 +90,7 @@ void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &
         settle(
             part.quads, part.fixed, improved.positions,
             [&](const geometry::Points &) { return std::vector<double>(areas.begin(), areas.end()); },
-            wished_size_weight, enough, options);
+            settings.size_weight, enough, options);
     part.put(mesh, [&](std::size_t i) { return plane.to_space(improved.positions[i]); });
 }
 

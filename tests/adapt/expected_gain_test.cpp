@@ -89,5 +89,17 @@ TEST(ExpectedGain, ManyAreWorthItWhileTheyBecomeFewer) {
     EXPECT_LT(more, 100);
 }
 
+TEST(ExpectedGain, WithLessEffortEndsSooner) {
+    const auto tries = [](double effort) {
+        ExpectedGain expected_gain(40, 40, faces, 400, effort);
+        int count = 0;
+        for (; expected_gain.worthwhile(40); ++count)
+            expected_gain.learn(expected_gain.best(), 0, 100);
+        return count;
+    };
+    EXPECT_LT(3 * tries(0.2), tries(1));
+    EXPECT_GT(tries(3), 2 * tries(1));
+}
+
 } // namespace
 } // namespace alphamst::adapt

@@ -45,8 +45,8 @@ struct Sheet {
                     quads.back()[k] = points[static_cast<std::size_t>(filling.quads.back()[k])];
             }
     }
-    RegionSizes sizes(double alpha) const {
-        return {filling, points, alpha * static_cast<double>(filling.quads.size())};
+    RegionSizes sizes(double alpha, double transition = 0.5) const {
+        return {filling, points, alpha * static_cast<double>(filling.quads.size()), transition};
     }
 };
 
@@ -98,9 +98,18 @@ TEST(RegionSizes, MayBeGiven) {
     double faces = 0;
     for (const double area : areas)
         faces += 1 / area;
-    const RegionSizes sizes(sheet.filling, sheet.points, faces, areas);
+    const RegionSizes sizes(sheet.filling, sheet.points, faces, 0.5, areas);
     EXPECT_NEAR(std::log2(sizes.at({5, 10, 0})), -1, 0.1);
     EXPECT_NEAR(std::log2(sizes.at({15, 10, 0})), 1, 0.1);
+}
+
+// A short transition leaves more room for a core, whose faces need not be so small.
+TEST(RegionSizes, ChangeOverTheTransition) {
+    const Sheet sheet(20);
+    const RegionSizes slow = sheet.sizes(4, 1), fast = sheet.sizes(4, 0.1);
+    EXPECT_LT(slow.at({10, 10, 0}), 0.5 * fast.at({10, 10, 0}));
+    EXPECT_GT(slow.at({2.5, 10, 0}), 1.5 * fast.at({2.5, 10, 0}));
+    EXPECT_NEAR(fast.at({5, 10, 0}) / fast.at({10, 10, 0}), 1, 0.01);
 }
 
 TEST(RegionSizes, ErrorIsInPowersOfTwo) {
@@ -124,7 +133,7 @@ TEST(RegionSizes, OfARegionWithAHoleKeepBothBorders) {
         if (std::max(std::abs(c[0] - 10), std::abs(c[1] - 10)) > 3)
             ring.push_back(f);
     }
-    const RegionSizes sizes(mesh, ring, 4.0 * static_cast<double>(ring.size()));
+    const RegionSizes sizes(mesh, ring, 4.0 * static_cast<double>(ring.size()), 0.5);
     // Between points of the lattice they are a little off.
     EXPECT_NEAR(sizes.at({0, 10, 0}), 1, 0.3);
     EXPECT_NEAR(sizes.at({7, 10, 0}), 1, 0.3);
@@ -139,8 +148,8 @@ TEST(RegionSizes, OfARegionWithAHoleKeepBothBorders) {
 
 TEST(RegionSizes, OfAClosedMeshAreTheSameFactorEverywhere) {
     const mesh::QuadMesh mesh = mesh::sphere(3);
-    const RegionSizes once(mesh, adapt::samples::all_faces(mesh), mesh.n_faces());
-    const RegionSizes twice(mesh, adapt::samples::all_faces(mesh), 2.0 * mesh.n_faces());
+    const RegionSizes once(mesh, adapt::samples::all_faces(mesh), mesh.n_faces(), 0.5);
+    const RegionSizes twice(mesh, adapt::samples::all_faces(mesh), 2.0 * mesh.n_faces(), 0.5);
     for (int f = 0; f < mesh.n_faces(); ++f) {
         const OpenMesh::Vec3d c = adapt::samples::centre(mesh, f);
         EXPECT_NEAR(once.at({c[0], c[1], c[2]}) / twice.at({c[0], c[1], c[2]}), 2, 1e-6);
