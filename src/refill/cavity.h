@@ -84,10 +84,10 @@ public:
     SizeError old_size_error() const;
     double old_alignment_error() const; // 0 where there is no cross field
     // Where the goal asks for sizes, these count so much against shapes, in 0 .. 1.
-    CavityEmbedding embed(const PlacedFilling &shape, double size_weight = 0) const;
+    CavityEmbedding embed(const PlacedFilling &shape, std::optional<double> size_weight = {}) const;
     // The same in two steps where the patch is curved: into the chart and from there to the surface; without
     // points if the chart does not take it. Then into shape.
-    CavityEmbedding start(const PlacedFilling &shape, double size_weight = 0) const;
+    CavityEmbedding start(const PlacedFilling &shape, std::optional<double> size_weight = {}) const;
     CavityEmbedding smooth(const fill::Filling &filling, CavityEmbedding placed) const;
     bool sized() const { return sizes_.has_value(); }
     bool curved() const { return chart_.has_value(); }

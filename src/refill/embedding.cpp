@@ -61,7 +61,7 @@ geometry::Embedding Cavity::embed_flat(const PlacedFilling &shape,
     return geometry::embed(filling.quads, filling.boundary, filling.vertices, loop, options);
 }
 
-CavityEmbedding Cavity::start(const PlacedFilling &shape, double size_weight) const {
+CavityEmbedding Cavity::start(const PlacedFilling &shape, std::optional<double> size_weight) const {
     const fill::Filling &filling = shape.filling;
     CavityEmbedding laid;
     geometry::Points positions = shape.positions;
@@ -74,7 +74,8 @@ CavityEmbedding Cavity::start(const PlacedFilling &shape, double size_weight) co
         if (!embedding.valid)
             return laid;
         if (sized())
-            embedding = with_areas(filling, std::move(embedding.positions), size_weight);
+            embedding = with_areas(filling, std::move(embedding.positions),
+                                   size_weight.value_or(settings_.size_weight));
         positions = std::move(embedding.positions);
     }
     for (int v = 0; v < filling.vertices; ++v) {
@@ -101,7 +102,7 @@ CavityEmbedding Cavity::smooth(const fill::Filling &filling, CavityEmbedding lai
     return laid;
 }
 
-CavityEmbedding Cavity::embed(const PlacedFilling &shape, double size_weight) const {
+CavityEmbedding Cavity::embed(const PlacedFilling &shape, std::optional<double> size_weight) const {
     if (curved())
         return smooth(shape.filling, start(shape, size_weight));
     geometry::EmbedOptions options = smooth::shaping(settings_);
@@ -110,7 +111,8 @@ CavityEmbedding Cavity::embed(const PlacedFilling &shape, double size_weight) co
     options.steps = 0; // shapes come with sizes
     geometry::Embedding laid = embed_flat(shape, options);
     if (laid.valid)
-        laid = with_areas(shape.filling, std::move(laid.positions), size_weight);
+        laid =
+            with_areas(shape.filling, std::move(laid.positions), size_weight.value_or(settings_.size_weight));
     return flat_embedding(std::move(laid));
 }
 

@@ -69,7 +69,8 @@ bool Evaluator::fits(const fill::Filling &filling) {
 }
 
 // Without points where the surface would be missed by far.
-CavityEmbedding Evaluator::embed(const PlacedFilling &candidate, double size_weight, Refused &reason) {
+CavityEmbedding Evaluator::embed(const PlacedFilling &candidate, std::optional<double> size_weight,
+                                 Refused &reason) {
     if (!cavity_.curved())
         return cavity_.embed(candidate, size_weight);
     CavityEmbedding start = cavity_.start(candidate, size_weight);
@@ -143,7 +144,7 @@ bool Evaluator::stays_near(const fill::Filling &filling, const CavityEmbedding &
 }
 
 std::optional<Evaluation> Evaluator::evaluate(const PlacedFilling &candidate, const ShapeBounds &bounds,
-                                              double size_weight) {
+                                              std::optional<double> size_weight) {
     const fill::Filling &filling = candidate.filling;
     ++trace_.candidates;
     Refused reason = Refused::embedding;

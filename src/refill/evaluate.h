@@ -72,12 +72,12 @@ public:
     bool fits(const fill::Filling &filling);
 
     // Nothing if it does not reach the bounds, or spoils what must be kept. size_weight: of sizes against
-    // shapes, where the cavity asks for sizes.
+    // shapes, where the cavity asks for sizes; none: that of the settings.
     std::optional<Evaluation> evaluate(const PlacedFilling &candidate, const ShapeBounds &bounds,
-                                       double size_weight = 0);
+                                       std::optional<double> size_weight = {});
 
 private:
-    CavityEmbedding embed(const PlacedFilling &candidate, double size_weight, Refused &reason);
+    CavityEmbedding embed(const PlacedFilling &candidate, std::optional<double> size_weight, Refused &reason);
     void fit(const fill::Filling &filling, CavityEmbedding &embedding) const;
     bool into_shape(const fill::Filling &filling, const ShapeBounds &bounds, CavityEmbedding &embedding,
                     Evaluation &evaluation);

@@ -5,6 +5,7 @@
 
 #include "index.h"
 #include "patch/region.h"
+#include "quality/metric.h"
 #include "reference/feature_line.h"
 #include "reference/locate.h"
 #include "reference/reference.h"
@@ -78,33 +79,62 @@ struct Part {
     std::vector<geometry::FeatureLine> feature_lines; // empty: there are none
 };
 
-void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &plane,
-                 std::span<const double> areas, bool wished, const Settings &settings) {
-    geometry::Points positions;
-    for (const int v : part.vertices)
-        positions.push_back(plane.to_plane(reference::point_of(mesh, v)));
-    geometry::EmbedOptions options = flat_shaping(settings);
-    options.area = areas;
-    geometry::Embedding improved = geometry::improve(part.quads, part.fixed, std::move(positions), options);
-    if (wished)
-        settle(
-            part.quads, part.fixed, improved.positions,
-            [&](const geometry::Points &) { return std::vector<double>(areas.begin(), areas.end()); },
-            settings.size_weight, enough, options);
-    part.put(mesh, [&](std::size_t i) { return plane.to_space(improved.positions[i]); });
-}
-
-// Where the smallest scaled Jacobian fell: the quads that are worse than they were, and inverted or no better
-// than the worst one was. Elsewhere a quad may be spoiled for others that gain more.
+// The quads that are worse than they were, and inverted or worse than any that was not. Elsewhere a quad may
+// be spoiled for others that gain more; and where fewer are inverted than before, all the others may pay for
+// it.
 std::vector<int> spoiled(std::span<const double> before, std::span<const double> now) {
-    const double least = *std::min_element(before.begin(), before.end()), floor = std::max(0.0, least);
+    const auto inverted = [](double quality) { return !(quality > 0); };
+    double floor = 1;
+    for (const double quality : before)
+        if (!inverted(quality))
+            floor = std::min(floor, quality);
+    if (std::ranges::count_if(now, inverted) < std::ranges::count_if(before, inverted))
+        floor = 0;
     std::vector<int> quads;
-    if (std::all_of(now.begin(), now.end(), [&](double quality) { return quality >= least; }))
-        return quads;
     for (std::size_t q = 0; q < now.size(); ++q)
-        if (!(now[q] >= before[q] || now[q] > floor))
+        if (now[q] < before[q] && (inverted(now[q]) || now[q] < floor))
             quads.push_back(static_cast<int>(q));
     return quads;
+}
+
+std::vector<double> qualities(geometry::Quads quads, const geometry::Points &positions,
+                              const geometry::Plane &plane) {
+    std::vector<double> all;
+    for (const auto &corners : quads) {
+        geometry::Quad quad;
+        for (std::size_t k = 0; k < 4; ++k)
+            quad[k] = plane.to_space(positions[at(corners[k])]);
+        all.push_back(quality::measure(quality::Metric::scaled_jacobian, quad, 1));
+    }
+    return all;
+}
+
+void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &plane,
+                 std::span<const double> areas, bool wished, const Settings &settings) {
+    constexpr int most_rounds = 8; // each holds the vertices of what the one before spoiled
+    geometry::Points start;
+    for (const int v : part.vertices)
+        start.push_back(plane.to_plane(reference::point_of(mesh, v)));
+    const std::vector<double> before = qualities(part.quads, start, plane);
+    geometry::EmbedOptions options = flat_shaping(settings);
+    options.area = areas;
+    std::vector<char> fixed = part.fixed;
+    for (int round = 0; round < most_rounds; ++round) {
+        geometry::Embedding improved = geometry::improve(part.quads, fixed, start, options);
+        const std::vector<int> bad = spoiled(before, qualities(part.quads, improved.positions, plane));
+        for (const int q : bad)
+            for (const int v : part.quads[at(q)])
+                fixed[at(v)] = 1;
+        if (!bad.empty())
+            continue;
+        if (wished)
+            settle(
+                part.quads, fixed, improved.positions,
+                [&](const geometry::Points &) { return std::vector<double>(areas.begin(), areas.end()); },
+                settings.size_weight, enough, options);
+        part.put(mesh, [&](std::size_t i) { return plane.to_space(improved.positions[i]); });
+        return;
+    }
 }
 
 void smooth_on_surface(mesh::QuadMesh &mesh, const Part &part, const reference::Reference &reference,

@@ -4,6 +4,7 @@
 #include "mesh/feature.h"
 #include "reference/locate.h"
 #include "reference/reference.h"
+#include "reference/statistics.h"
 
 namespace alphamst::smooth {
 namespace {
@@ -110,6 +111,29 @@ TEST(Smooth, RegularGridStays) {
     smooth::smooth(mesh, nullptr, {}, silent);
     for (int v = 0; v < mesh.n_vertices(); ++v)
         EXPECT_LT((mesh.point(v) - before.point(v)).norm(), 1e-9);
+}
+
+// A disk slit along a radius whose innermost faces have an edge of length 0, at the pole: nothing of that can
+// be mended, and the other faces are no worse for it.
+TEST(Smooth, LeavesSoundFacesAloneBesideBrokenOnes) {
+    constexpr int around = 12, rings = 5;
+    std::vector<double> points;
+    std::vector<std::int32_t> faces;
+    for (int j = 0; j <= rings; ++j)
+        for (int i = 0; i <= around; ++i) {
+            const double angle = 6 * i / double(around);
+            points.insert(points.end(), {j * std::cos(angle), j * std::sin(angle), 0.0});
+        }
+    for (int j = 0; j < rings; ++j)
+        for (int i = 0; i < around; ++i) {
+            const int v = j * (around + 1) + i;
+            faces.insert(faces.end(), {v, v + around + 1, v + around + 2, v + 1});
+        }
+    mesh::QuadMesh mesh = mesh::QuadMesh::build(2, points, faces);
+    const double before = reference::least_quality(mesh);
+    const Outcome outcome = smooth(mesh, nullptr, {}, silent).at(0);
+    EXPECT_GE(reference::least_quality(mesh), before);
+    EXPECT_GE(outcome.quality_after, outcome.quality_before);
 }
 
 // A plane mesh that is graded stays so, also after several times.
