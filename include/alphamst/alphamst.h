@@ -638,11 +638,12 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * Jacobian does not fall. Where nothing is gained it stays bit for bit, and so does a whole mesh without
  * ALIGN and without a field "size".
  *
- * patches NULL: the whole mesh, by windows: disks that the library chooses, grows and moves over it. It gets
- * round(alpha * faces) faces, or the result is AMST_PARTIAL, and as few singular vertices as can be; its
- * boundary stays. Boundary layers in a plane (rows of faces eight times longer than high) stay, too, unless
- * the count cannot be had so, the mesh becomes much coarser, or a field "size" speaks. Same mesh, options and
- * seed, same result, on any number of threads.
+ * patches NULL: the whole mesh, by windows: disks that the library chooses, grows and moves over it; a mesh
+ * of at most 1,000 faces first piece by piece, as if each connected piece between features, markers and fixed
+ * faces were a patch. It gets round(alpha * faces) faces, or the result is AMST_PARTIAL, and as few singular
+ * vertices as can be; its boundary stays. Boundary layers in a plane (rows of faces eight times longer than
+ * high) stay, too, unless the count cannot be had so, the mesh becomes much coarser, or a field "size"
+ * speaks. Same mesh, options and seed, same result, on any number of threads.
  *
  * Curved meshes keep to their surface, see amst_mesh_set_surface: it and what is filled anew stay within
  * AMST_OPT_TOLERANCE of each other. What cannot be filled so, patches and the last faces of a whole mesh, may

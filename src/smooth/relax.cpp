@@ -23,6 +23,9 @@ namespace {
 // A scaled Jacobian that relaxing a surface as a whole may fall to.
 constexpr double least_relaxed = 0.3;
 
+// Of the weight of sizes, in the end where nobody wishes any: with .57 errors of lakes fall to .34 (rms of
+// log2) instead of .38, and on a graded coast five of a hundred faces more get too long.
+constexpr double settled_part = 3.0 / 7;
 // Of scaled Jacobians in the end, of quads that had as much.
 constexpr double least_settled = 0.5;
 
@@ -67,7 +70,7 @@ void settle_flat(mesh::QuadMesh &mesh, const geometry::Plane &plane, const refer
     const std::vector<char> fixed = constrained_vertices(mesh);
     geometry::Points positions = reference::flatten(mesh, plane);
     settle(mesh.faces(), fixed, positions, wanted,
-           density.wished() ? settings.size_weight : *flat_shaping(settings).size_weight, least_settled,
+           (density.wished() ? 1 : settled_part) * settings.size_weight, least_settled,
            flat_shaping(settings));
     put(mesh, plane, fixed, positions);
 }
