@@ -226,6 +226,10 @@ enum amst_option {
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
     AMST_OPT_TOLERANCE = 1003,     /* real, 0.5: farthest from the surface, in wanted edges, 0.01..100 */
+    AMST_OPT_EFFORT = 1004,        /* real, 1.0: times as much is spent on better fillings, 0.01..100 */
+    AMST_OPT_SIZE_WEIGHT = 1005,   /* real, 0.7: of wanted sizes against shapes, 0..1 */
+    AMST_OPT_TRANSITION = 1006,    /* real, 0.5: of a patch's depth, over which sizes change, 0.05..1 */
+    AMST_OPT_LEAST_SIZE = 1007,    /* real, 0.125: area over wanted area; no smaller face is made, 0..1 */
     AMST_OPTION_MAX = 0x7fffffff
 };
 
@@ -236,11 +240,11 @@ enum amst_option {
  * Sizes, aspect ratio and time step are those of the faces of the patch. The area that amst_adapt and
  * amst_reduce_singularities want there is the area that was there (smoothed), or the
  * square of the field "size": at the border as it is, inside that over a factor, so that the count is
- * reached; in between it changes over half the depth. AMST_ALL: the size error is the root mean square over
- * the faces of all patches, the least area and the shortest edge the smallest, the aspect ratio the largest,
- * the time step that of the whole mesh. Without patches the wanted area is the square of the field "size",
- * or else in a plane the area that was there (smoothed), on a surface what its curvature asks for; all times
- * one factor, so that the mesh as it was comes to the wanted count. The other operations, and
+ * reached; in between it changes as AMST_OPT_TRANSITION says. AMST_ALL: the size error is the root mean
+ * square over the faces of all patches, the least area and the shortest edge the smallest, the aspect ratio
+ * the largest, the time step that of the whole mesh. Without patches the wanted area is the square of the
+ * field "size", or else in a plane the area that was there (smoothed), on a surface what its curvature asks
+ * for; all times one factor, so that the mesh as it was comes to the wanted count. The other operations, and
  * AMST_OPT_STRATEGY 1, want no sizes. A patch that is left has after = before and the time step 1. */
 enum amst_result {
     AMST_RESULT_INVALID = -1,
@@ -625,9 +629,9 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * as it is. alpha > 0 is for the patches that have none of their own.
  *
  * Sizes: at the border, whose edges stay, faces are wanted as large as they were; inside they are wanted
- * smaller or larger by one factor, so that the count is reached, with a smooth transition over half the depth
- * of the patch. Of fillings with few singular vertices the one is taken that has these sizes best and good
- * angles; none with a face below an eighth of what is wanted, unless there was one.
+ * smaller or larger by one factor, so that the count is reached, with a smooth transition in between
+ * (TRANSITION). Of fillings with few singular vertices the one is taken that has these sizes best and good
+ * angles; none with a face below an eighth of what is wanted (LEAST_SIZE), unless there was one.
  *
  * Where the boundary of a patch in a plane does not allow that number of faces, the nearest that it allows is
  * made and the status of the patch is AMST_PARTIAL: a boundary of n edges needs n / 2 - 1 faces, and more
@@ -658,6 +662,10 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   CANDIDATES      A R          A R             A R C         A R C         a window: 3/16 of it, at least 1
  *   NODE_LIMIT      A R          A R             A R C         A R C
  *   MIN_QUALITY     A R          A R             A R C         A R C
+ *   EFFORT          A R          A R             A R C         A R C
+ *   SIZE_WEIGHT     A R S        A R             A R S C       A R C         S of plane patches of any mesh
+ *   TRANSITION      A R          A R             A R C         A R C
+ *   LEAST_SIZE      A R          A R             A R C         A R C
  *   TOLERANCE       -            A R             -             A R
  *   CHART           -            A R             -             A R C
  *   ALIGN           -            A R             -             A R
@@ -667,7 +675,19 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   EDIT_BOUNDARY   -            -               A             A             in a plane: with STRATEGY 1 only
  *
  * Patches on a plane: all are plane, and the mesh has no surface yet. A plane patch on a curved mesh needs no
- * CHART.
+ * CHART. Whole meshes are filled as patches are where they are small (up to 1,000 faces), where faces would
+ * get too small, and where their number cannot be had otherwise; elsewhere in them TRANSITION says nothing,
+ * in a plane EFFORT neither, on a surface SIZE_WEIGHT and LEAST_SIZE neither. What amst_clean mends is filled
+ * as patches are.
+ *  EFFORT    The search for a better filling of a patch, or for one at all, and that for the last singular
+ *            vertices of a whole curved mesh go on for so many times as long, as far as CANDIDATES allows.
+ *  SIZE_WEIGHT  With more, faces come nearer to the wanted sizes; with less, to squares.
+ *  TRANSITION  Over that part of the greatest distance from the border of a patch sizes change. A half leaves
+ *            a core of a quarter of the area and faces that grow by less than 1.3 from one to the next at
+ *            alpha 4. With less the core is larger and its faces need not be so small; but they grow faster.
+ *  LEAST_SIZE  A filling with a smaller face is not taken, unless there was one as small before; smoothing of
+ *            a whole mesh may leave smaller ones. With more a patch may be left or miss its count, and near 1
+ *            hardly any filling does, after a long search; with 0 faces may have any size.
  *  CHART     The map that lays what is curved in the plane to be filled: 0 projects what turns little, else
  *            puts each vertex on a disk amid its neighbours (Tutte); 1 the same by mean value coordinates;
  *            2 keeps angles and lets the border go where it wants; 3 stretches less on the disk. A map that
@@ -678,7 +698,7 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            in a plane go where they were, and those of a curved whole mesh where it bends more.
  *  STRATEGY  1: whole chords are removed, the shortest first, or split until no other one can go without
  *            passing the number of faces. No vertex becomes singular. Of the other options only SMOOTH_STEPS
- *            and EDIT_BOUNDARY count.
+ *            and EDIT_BOUNDARY count, and SIZE_WEIGHT in a plane.
  *  EDIT_BOUNDARY  1: chords may take vertices from features and boundary where these turn by less than 30
  *            degrees, as coarse meshes of machine parts may need. 0: features lose and get vertices only
  *            where they are straight. With STRATEGY 0 there are chords only where a curved mesh that is
@@ -728,7 +748,8 @@ AMST_API amst_status amst_mesh_get_chords(const amst_mesh *mesh, int32_t propert
 
 /* The next three are operations as those above; singular vertices are known beforehand.
  * The faces around the chord, two layers of them, are smoothed, on a curved mesh back to
- * its surface; where an element would turn over nothing is done. */
+ * its surface (AMST_OPT_SIZE_WEIGHT counts where they are plane, but not for
+ * amst_insert_chords); where an element would turn over nothing is done. */
 
 /* Remove the chord through edge: the two ends of each of its edges become one vertex. It
  * stays where it was if one of them may not move (boundary, flags, markers), else it goes

@@ -111,7 +111,7 @@ amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_option
         Change change("collapse_chord", *mesh, nullptr);
         const Settings settings = change.settings(chosen);
         return change.finish({chords::collapse_chord(change.mesh(), index, rules_of(chosen), settings)}, true,
-                             {AMST_OPT_EDIT_BOUNDARY}, report);
+                             {AMST_OPT_EDIT_BOUNDARY, AMST_OPT_SIZE_WEIGHT}, report);
     });
 }
 
@@ -125,7 +125,7 @@ amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, std::int32_t n, cons
         const Settings settings = change.settings(chosen);
         return change.finish(
             {chords::split_chord(change.mesh(), index, n, max_faces, rules_of(chosen), settings)}, true,
-            {AMST_OPT_EDIT_BOUNDARY}, report);
+            {AMST_OPT_EDIT_BOUNDARY, AMST_OPT_SIZE_WEIGHT}, report);
     });
 }
 

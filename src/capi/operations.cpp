@@ -1,8 +1,14 @@
+#include <algorithm>
+#include <numeric>
+#include <span>
+
 #include "capi/change.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/limits.h"
 #include "chords/edit.h"
+#include "index.h"
+#include "reference/reference.h"
 #include "smooth/smooth.h"
 
 using namespace alphamst;
@@ -12,7 +18,9 @@ namespace {
 
 // Options that count wherever fillings are chosen, and those that do in space alone.
 std::vector<std::int32_t> for_fillings(bool curved) {
-    std::vector<std::int32_t> keys{AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT, AMST_OPT_MIN_QUALITY};
+    std::vector<std::int32_t> keys{AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT,  AMST_OPT_MIN_QUALITY,
+                                   AMST_OPT_EFFORT,     AMST_OPT_SIZE_WEIGHT, AMST_OPT_TRANSITION,
+                                   AMST_OPT_LEAST_SIZE};
     if (curved)
         keys.insert(keys.end(), {AMST_OPT_ALIGN, AMST_OPT_CHART, AMST_OPT_TOLERANCE});
     return keys;
@@ -20,8 +28,33 @@ std::vector<std::int32_t> for_fillings(bool curved) {
 
 std::vector<std::int32_t> for_whole_mesh(bool curved) {
     std::vector<std::int32_t> keys = for_fillings(curved);
+    keys.push_back(AMST_OPT_STRATEGY);
     if (curved)
         keys.push_back(AMST_OPT_EDIT_BOUNDARY);
+    return keys;
+}
+
+// Sizes are weighed only where what moves is plane, be it on a curved mesh.
+std::vector<std::int32_t> for_smoothing(const mesh::QuadMesh &mesh, const std::vector<Patch> *patches) {
+    const auto is_plane = [&](std::span<const int> faces) {
+        return !faces.empty() && reference::plane_of(mesh, faces);
+    };
+    bool any = false;
+    if (patches == nullptr) {
+        std::vector<int> all(at(mesh.n_faces()));
+        std::iota(all.begin(), all.end(), 0);
+        any = is_plane(all);
+    } else {
+        any = std::ranges::any_of(*patches, [&](const Patch &patch) { return is_plane(patch.faces); });
+    }
+    if (any)
+        return {AMST_OPT_SIZE_WEIGHT};
+    return {};
+}
+
+std::vector<std::int32_t> for_chords(const mesh::QuadMesh &mesh) {
+    std::vector<std::int32_t> keys = for_smoothing(mesh, nullptr);
+    keys.insert(keys.end(), {AMST_OPT_STRATEGY, AMST_OPT_EDIT_BOUNDARY});
     return keys;
 }
 
@@ -46,13 +79,13 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
             outcomes = {adapt::adapt_whole(change.mesh(), alpha, settings, change.progress())};
         else
             outcomes = adapt::adapt(change.mesh(), change.regions(), alpha, settings, change.progress());
-        std::vector<std::int32_t> in_use = for_fillings(change.curved());
+        std::vector<std::int32_t> in_use;
         if (by_chords)
-            in_use = {AMST_OPT_EDIT_BOUNDARY};
+            in_use = for_chords(change.mesh());
         else if (patches == nullptr)
             in_use = for_whole_mesh(change.curved());
-        if (patches == nullptr)
-            in_use.push_back(AMST_OPT_STRATEGY);
+        else
+            in_use = for_fillings(change.curved());
         return change.finish(outcomes, true, in_use, report);
     });
 }
@@ -82,8 +115,9 @@ amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst
         Change change("smooth", *mesh, patches);
         const Settings settings = change.settings(chosen);
         const std::vector<Patch> *regions = patches == nullptr ? nullptr : &change.regions();
-        return change.finish(smooth::smooth(change.mesh(), regions, settings, change.progress()), false, {},
-                             report);
+        const std::vector<Outcome> outcomes =
+            smooth::smooth(change.mesh(), regions, settings, change.progress());
+        return change.finish(outcomes, false, for_smoothing(change.mesh(), regions), report);
     });
 }
 
@@ -94,7 +128,7 @@ amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report
         Change change("clean", *mesh, nullptr);
         const Settings settings = change.settings(chosen);
         const Outcome outcome = adapt::clean(change.mesh(), settings, change.progress());
-        std::vector<std::int32_t> in_use{AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT, AMST_OPT_MIN_QUALITY};
+        std::vector<std::int32_t> in_use = for_fillings(false);
         if (change.curved())
             in_use.push_back(AMST_OPT_CHART);
         return change.finish({outcome}, false, in_use, report);

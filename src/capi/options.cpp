@@ -66,6 +66,10 @@ constexpr Knob<double> reals[] = {
     real<&Options::min_convexity>(AMST_OPT_MIN_CONVEXITY, "AMST_OPT_MIN_CONVEXITY", 0, 1),
     real<&Options::patch_faces>(AMST_OPT_PATCH_FACES, "AMST_OPT_PATCH_FACES", 1, most_patch_faces),
     real<&Options::tolerance>(AMST_OPT_TOLERANCE, "AMST_OPT_TOLERANCE", 0.01, 100),
+    real<&Options::effort>(AMST_OPT_EFFORT, "AMST_OPT_EFFORT", 0.01, 100),
+    real<&Options::size_weight>(AMST_OPT_SIZE_WEIGHT, "AMST_OPT_SIZE_WEIGHT", 0, 1),
+    real<&Options::transition>(AMST_OPT_TRANSITION, "AMST_OPT_TRANSITION", 0.05, 1),
+    real<&Options::least_size>(AMST_OPT_LEAST_SIZE, "AMST_OPT_LEAST_SIZE", 0, 1),
 };
 
 static_assert(static_cast<int>(quadrangulate::Quadrangulation::pair) == 0 &&
@@ -95,8 +99,9 @@ std::vector<std::int32_t> unused_options(const Options &options, std::span<const
     // Seed and smoothing are of use to every operation; the others that are not here are for patch sets and
     // for triangles.
     constexpr std::int32_t of_operations[] = {
-        AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT, AMST_OPT_EDIT_BOUNDARY, AMST_OPT_STRATEGY,
-        AMST_OPT_ALIGN,      AMST_OPT_CHART,      AMST_OPT_MIN_QUALITY,   AMST_OPT_TOLERANCE};
+        AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT,  AMST_OPT_EDIT_BOUNDARY, AMST_OPT_STRATEGY,
+        AMST_OPT_ALIGN,      AMST_OPT_CHART,       AMST_OPT_MIN_QUALITY,   AMST_OPT_TOLERANCE,
+        AMST_OPT_EFFORT,     AMST_OPT_SIZE_WEIGHT, AMST_OPT_TRANSITION,    AMST_OPT_LEAST_SIZE};
     const Options defaults;
     std::vector<std::int32_t> unused;
     const auto look = [&](const auto &knobs) {

@@ -135,7 +135,7 @@ void FillingChoice::refuse() const {
         "none of " + std::to_string(trace_.candidates) + " fillings could be given a valid shape";
     if (small_ones > 0)
         text += "; " + std::to_string(small_ones) +
-                " of them would have faces of less than an eighth of the wanted area";
+                " of them would have faces below AMST_OPT_LEAST_SIZE of the wanted area";
     if (far > 0)
         text +=
             "; " + std::to_string(far) + " of them would be farther from the surface than AMST_OPT_TOLERANCE";

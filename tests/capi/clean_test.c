@@ -120,6 +120,29 @@ static void a_high_valence_is_split(void **state) {
     }
 }
 
+/* What is mended is filled as a patch is. */
+static void options_of_fillings_count(void **state) {
+    (void)state;
+    const int32_t keys[] = {AMST_OPT_SIZE_WEIGHT, AMST_OPT_EFFORT, AMST_OPT_TRANSITION, AMST_OPT_LEAST_SIZE};
+    int64_t digest[4];
+    amst_context *ctx = new_context(0);
+    for (int k = 0; k < 4; ++k) {
+        amst_mesh *mesh = new_star(ctx, 8);
+        amst_options *options = NULL;
+        amst_report *report = NULL;
+        must(amst_options_create(&options));
+        must(amst_options_set_real(options, keys[k], k == 0 ? 0 : 0.05));
+        must(amst_clean(mesh, options, &report));
+        digest[k] = checksum(mesh);
+        assert_int_equal(result(report, AMST_ALL, AMST_RESULT_UNUSED_OPTION), AMST_OPTION_INVALID);
+        amst_report_destroy(report);
+        amst_options_destroy(options);
+        amst_mesh_destroy(mesh);
+    }
+    assert_true(digest[0] != digest[1]); /* sizes weigh there */
+    amst_context_destroy(ctx);
+}
+
 static void a_clean_mesh_stays(void **state) {
     (void)state;
     amst_context *ctx = new_context(0);
@@ -140,6 +163,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_doublet_goes),
         cmocka_unit_test(a_high_valence_is_split),
+        cmocka_unit_test(options_of_fillings_count),
         cmocka_unit_test(a_clean_mesh_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,6 +31,10 @@ static const real_option reals[] = {
     {AMST_OPT_MIN_CONVEXITY, 0.6, 0, 1},
     {AMST_OPT_PATCH_FACES, 100, 1, 2147483647},
     {AMST_OPT_TOLERANCE, 0.5, 0.01, 100},
+    {AMST_OPT_EFFORT, 1, 0.01, 100},
+    {AMST_OPT_SIZE_WEIGHT, 0.7, 0, 1},
+    {AMST_OPT_TRANSITION, 0.5, 0.05, 1},
+    {AMST_OPT_LEAST_SIZE, 0.125, 0, 1},
 };
 
 static amst_options *new_options(void) {

@@ -84,16 +84,23 @@ static void what_cannot_apply_is_told(void **state) {
             const struct {
                 int32_t key;
                 int in_use;
-            } cases[] = {
-                {AMST_OPT_CANDIDATES, 1}, {AMST_OPT_NODE_LIMIT, 1}, {AMST_OPT_EDIT_BOUNDARY, whole && curved},
-                {AMST_OPT_ALIGN, curved}, {AMST_OPT_CHART, curved}, {AMST_OPT_TOLERANCE, curved}};
+            } cases[] = {{AMST_OPT_CANDIDATES, 1},
+                         {AMST_OPT_NODE_LIMIT, 1},
+                         {AMST_OPT_EDIT_BOUNDARY, whole && curved},
+                         {AMST_OPT_ALIGN, curved},
+                         {AMST_OPT_CHART, curved},
+                         {AMST_OPT_TOLERANCE, curved},
+                         {AMST_OPT_EFFORT, 1},
+                         {AMST_OPT_SIZE_WEIGHT, 1},
+                         {AMST_OPT_TRANSITION, 1},
+                         {AMST_OPT_LEAST_SIZE, 1}};
             for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
                 amst_mesh *mesh = curved ? new_bell(ctx) : new_disturbed(ctx, n);
                 must(amst_options_create(&options));
                 if (cases[i].key < 1000)
                     must(amst_options_set_int(options, cases[i].key, 1));
                 else
-                    must(amst_options_set_real(options, cases[i].key, 0.7));
+                    must(amst_options_set_real(options, cases[i].key, 0.6));
                 warnings = 0;
                 assert_true(adapt(mesh, whole, 1, options, &unused) >= AMST_OK);
                 assert_int_equal(unused, cases[i].in_use ? AMST_OPTION_INVALID : cases[i].key);

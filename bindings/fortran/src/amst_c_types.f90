@@ -141,6 +141,10 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_OPT_MIN_CONVEXITY = 1001
     integer(c_int32_t), parameter :: AMST_OPT_PATCH_FACES = 1002
     integer(c_int32_t), parameter :: AMST_OPT_TOLERANCE = 1003
+    integer(c_int32_t), parameter :: AMST_OPT_EFFORT = 1004
+    integer(c_int32_t), parameter :: AMST_OPT_SIZE_WEIGHT = 1005
+    integer(c_int32_t), parameter :: AMST_OPT_TRANSITION = 1006
+    integer(c_int32_t), parameter :: AMST_OPT_LEAST_SIZE = 1007
     integer(c_int32_t), parameter :: AMST_OPTION_MAX = 2147483647
 
     ! amst_result

@@ -26,6 +26,10 @@ contains
         call claim(abs(options%get_real(AMST_OPT_MIN_CONVEXITY) - 0.6_real64) <= 0, 'convexity')
         call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 100) <= 0, 'patch faces')
         call claim(abs(options%get_real(AMST_OPT_TOLERANCE) - 0.5_real64) <= 0, 'tolerance')
+        call claim(abs(options%get_real(AMST_OPT_EFFORT) - 1) <= 0, 'effort')
+        call claim(abs(options%get_real(AMST_OPT_SIZE_WEIGHT) - 0.7_real64) <= 0, 'weight of sizes')
+        call claim(abs(options%get_real(AMST_OPT_TRANSITION) - 0.5_real64) <= 0, 'transition')
+        call claim(abs(options%get_real(AMST_OPT_LEAST_SIZE) - 0.125_real64) <= 0, 'least size')
         call options%set(AMST_OPT_SEED, -2_int64**62)
         call claim(options%get_int(AMST_OPT_SEED) == -2_int64**62, 'a seed of 64 bits')
         call options%set(AMST_OPT_SMOOTH_STEPS, 7)
@@ -67,8 +71,8 @@ contains
         do k = 0, AMST_OPT_CHART
             call a%set(k, merge(5 + k, changed(k), k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES))
         end do
-        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_TOLERANCE
-            call a%set(k, merge(9.0_real64, 0.125_real64*(k - 999), k == AMST_OPT_PATCH_FACES))
+        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_LEAST_SIZE
+            call a%set(k, merge(9.0_real64, 0.12_real64*(k - 999), k == AMST_OPT_PATCH_FACES))
         end do
         b = a
         call a%destroy()
@@ -76,8 +80,8 @@ contains
             call claim(b%get_int(k) == merge(5 + k, changed(k), &
                 k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES), 'copied integer')
         end do
-        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_TOLERANCE
-            call claim(abs(b%get_real(k) - merge(9.0_real64, 0.125_real64*(k - 999), &
+        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_LEAST_SIZE
+            call claim(abs(b%get_real(k) - merge(9.0_real64, 0.12_real64*(k - 999), &
                 k == AMST_OPT_PATCH_FACES)) <= 0, 'copied real')
         end do
         b = b

@@ -6,7 +6,9 @@ const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
                      edit_boundary = AMST_OPT_EDIT_BOUNDARY,
                      strategy = AMST_OPT_STRATEGY, align = AMST_OPT_ALIGN, chart = AMST_OPT_CHART,
                      min_quality = AMST_OPT_MIN_QUALITY, min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES,
-                     tolerance = AMST_OPT_TOLERANCE)
+                     tolerance = AMST_OPT_TOLERANCE, effort = AMST_OPT_EFFORT,
+                     size_weight = AMST_OPT_SIZE_WEIGHT, transition = AMST_OPT_TRANSITION,
+                     least_size = AMST_OPT_LEAST_SIZE)
 
 # The header's rule for the keys of options and of reports.
 is_real(key::Int32) = key >= 1000
@@ -33,6 +35,10 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
 | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |
 | `tolerance` | 0.5 | farthest from the surface, in wanted edges, 0.01 to 100 |
+| `effort` | 1.0 | times as much is spent on better fillings, 0.01 to 100 |
+| `size_weight` | 0.7 | of wanted sizes against shapes, 0 to 1 |
+| `transition` | 0.5 | of a patch's depth, over which sizes change, 0.05 to 1 |
+| `least_size` | 0.125 | area over wanted area; no smaller face is made, 0 to 1 |
 
 `options[:seed]` reads and `options[:seed] = 7` sets one. Throws `AlphaMSTError` for a value out
 of range or not finite, and for a number in place of a name that the library does not know.

@@ -12,12 +12,17 @@
     @test options[:align] == 0
     @test options[:chart] == 0
     @test options[:tolerance] === 0.5
+    @test options[:effort] === 1.0
+    @test options[:size_weight] === 0.7
+    @test options[:transition] === 0.5
+    @test options[:least_size] === 0.125
 end
 
 @testset "settings come back" begin
     options = Options(seed = 2^40 + 7, smooth_steps = 3, repair_patches = false, candidates = 5,
                       node_limit = 10^9, quadrangulate = 1, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12,
-                      align = 1, chart = 3, tolerance = 0.25)
+                      align = 1, chart = 3, tolerance = 0.25, effort = 4, size_weight = 0.3, transition = 0.75,
+                      least_size = 0.0625)
     @test options[:seed] == 2^40 + 7
     @test options[:smooth_steps] == 3
     @test options[:repair_patches] == 0
@@ -30,6 +35,10 @@ end
     @test options[:align] == 1
     @test options[:chart] == 3
     @test options[:tolerance] === 0.25
+    @test options[:effort] === 4.0
+    @test options[:size_weight] === 0.3
+    @test options[:transition] === 0.75
+    @test options[:least_size] === 0.0625
     options[:seed] = 9
     options[1002] = 31.5
     @test options[0] == 9 && options[:patch_faces] == 31.5
@@ -40,6 +49,7 @@ end
     @test_throws ArgumentError Options(sead = 7)
     @test_throws InexactError (options[:seed] = 1.5)
     @test refusal(() -> options[:candidates] = 0) == "AMST_ERR_RANGE"
+    @test refusal(() -> options[:transition] = 0.01) == "AMST_ERR_RANGE"
     @test refusal(() -> options[:min_quality] = NaN) == "AMST_ERR_NOT_FINITE"
     @test refusal(() -> options[99] = 1) == "AMST_ERR_NOT_FOUND"
     @test refusal(() -> options[1099]) == "AMST_ERR_NOT_FOUND"

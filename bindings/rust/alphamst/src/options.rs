@@ -39,6 +39,14 @@ enumeration! {
         PatchFaces = AMST_OPT_PATCH_FACES,
         /// Real, 0.5: farthest from the surface, in wanted edges, 0.01 to 100.
         Tolerance = AMST_OPT_TOLERANCE,
+        /// Real, 1.0: times as much is spent on better fillings, 0.01 to 100.
+        Effort = AMST_OPT_EFFORT,
+        /// Real, 0.7: of wanted sizes against shapes, 0 to 1.
+        SizeWeight = AMST_OPT_SIZE_WEIGHT,
+        /// Real, 0.5: of a patch's depth, over which sizes change, 0.05 to 1.
+        Transition = AMST_OPT_TRANSITION,
+        /// Real, 0.125: area over wanted area; no smaller face is made, 0 to 1.
+        LeastSize = AMST_OPT_LEAST_SIZE,
     }
 }
 
@@ -242,6 +250,51 @@ impl Options {
     /// ```
     pub fn tolerance(self, edges: f64) -> Result<Self> {
         self.with_real(OptionKey::Tolerance, edges)
+    }
+
+    /// Sets [`OptionKey::Effort`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().effort(4.0)?.get_real(OptionKey::Effort)?, 4.0);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn effort(self, times: f64) -> Result<Self> {
+        self.with_real(OptionKey::Effort, times)
+    }
+
+    /// Sets [`OptionKey::SizeWeight`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().size_weight(0.3)?.get_real(OptionKey::SizeWeight)?, 0.3);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn size_weight(self, weight: f64) -> Result<Self> {
+        self.with_real(OptionKey::SizeWeight, weight)
+    }
+
+    /// Sets [`OptionKey::Transition`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options, Status};
+    /// assert_eq!(Options::new().transition(0.25)?.get_real(OptionKey::Transition)?, 0.25);
+    /// assert_eq!(Options::new().transition(0.01).unwrap_err().status, Status::Range);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn transition(self, part: f64) -> Result<Self> {
+        self.with_real(OptionKey::Transition, part)
+    }
+
+    /// Sets [`OptionKey::LeastSize`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().least_size(0.25)?.get_real(OptionKey::LeastSize)?, 0.25);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn least_size(self, ratio: f64) -> Result<Self> {
+        self.with_real(OptionKey::LeastSize, ratio)
     }
 
     /// Sets an integer, by key or by the number of one that this crate does not know.
