@@ -677,10 +677,11 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  * Patches on a plane: all are plane, and the mesh has no surface yet. A plane patch on a curved mesh needs no
  * CHART. Whole meshes are filled as patches are where they are small (up to 1,000 faces), where faces would
  * get too small, and where their number cannot be had otherwise; elsewhere in them TRANSITION says nothing,
- * in a plane EFFORT neither, on a surface SIZE_WEIGHT and LEAST_SIZE neither. What amst_clean mends is filled
- * as patches are.
- *  EFFORT    The search for a better filling of a patch, or for one at all, and that for the last singular
- *            vertices of a whole curved mesh go on for so many times as long, as far as CANDIDATES allows.
+ * on a surface SIZE_WEIGHT and LEAST_SIZE neither. What amst_clean mends is filled as patches are.
+ *  EFFORT    The search for a better filling of a patch, or for one at all, and that for fewer singular
+ *            vertices in a whole mesh go on for so many times as long, as far as CANDIDATES allows. A lake
+ *            of 10,790 faces takes 2.1 s with .1 (67 singular vertices) and 3.3 s with 1 (34); a scan that
+ *            becomes one of 3,305 takes 2.9 s (58), 6.4 s (28) and, with 4, 20 s (24).
  *  SIZE_WEIGHT  With more, faces come nearer to the wanted sizes; with less, to squares.
  *  TRANSITION  Over that part of the greatest distance from the border of a patch sizes change. A half leaves
  *            a core of a quarter of the area and faces that grow by less than 1.3 from one to the next at

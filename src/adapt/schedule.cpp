@@ -169,14 +169,14 @@ private:
             pass.slack = sizes[i] <= large ? slack : slack * large / (2 * sizes[i]);
             pass.shape = wish(1);
             const int before = sweep_.singular();
-            for (int k = 0; k < repeats; ++k)
+            for (int k = 0; k < repeats * std::max(1.0, settings_.effort); ++k)
                 if (const int now = sweep_.singular();
                     run(pass, "reduce", part * static_cast<double>(i), part) == 0 ||
-                    now - sweep_.singular() < worthwhile * now)
+                    now - sweep_.singular() < worthwhile / settings_.effort * now)
                     break;
             if (sweep_.singular() < before)
                 smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
-            idle = before - sweep_.singular() < worthwhile * before ? idle + 1 : 0;
+            idle = before - sweep_.singular() < worthwhile / settings_.effort * before ? idle + 1 : 0;
             if (sizes[i] >= large_enough() && idle > 1)
                 break;
             if (reference_.surface && sweep_.refilled() == 0 && sweep_.tried() >= conclusive)
@@ -369,7 +369,6 @@ private:
     refill::ShapeBounds wish(double part) const { return {part * quality_, part * least_shape, poor_price}; }
 
     void tell(double fraction, const char *stage) { progress_(fraction, stage); }
-
     int run(const Pass &pass, const char *stage, double start, double part) {
         return sweep_.run(pass, stage, [&](double fraction) { tell(start + part * fraction, stage); });
     }

@@ -85,6 +85,21 @@ TEST(Whole, OtherSeedsGiveOtherMeshes) {
     EXPECT_GT(digests.size(), 1u);
 }
 
+TEST(Whole, WithLessEffortFewerWindowsAreTried) {
+    std::vector<int> calls;
+    for (const double effort : {0.05, 1.0}) {
+        mesh::QuadMesh mesh = unstructured(34, 5);
+        Settings settings;
+        settings.effort = effort;
+        int count = 0;
+        const Outcome outcome = adapt_whole(mesh, 1, settings, [&](double, const char *) { ++count; });
+        EXPECT_EQ(outcome.faces_after, outcome.faces_wanted);
+        EXPECT_LT(outcome.singular_after, outcome.singular_before);
+        calls.push_back(count);
+    }
+    EXPECT_LT(calls[0], calls[1]);
+}
+
 TEST(Whole, ClockwiseAndTiltedMeshesAreDone) {
     const mesh::QuadMesh sample = unstructured(14, 9);
     std::vector<double> points;
