@@ -1,6 +1,7 @@
 #include "adapt/adapt.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "adapt/divide.h"
@@ -51,11 +52,13 @@ void divide(mesh::QuadMesh &mesh, std::vector<Patch> &patches, const Settings &s
             continue;
         const Outcome told = outcome;
         const std::vector<Patch> patches_before = patches;
-        mesh::QuadMesh mesh_before = mesh;
+        std::optional<mesh::QuadMesh> mesh_before;
+        if (is_open(told))
+            mesh_before = mesh;
         refill_in_parts(mesh, patches, p, outcome.faces_wanted, settings, progress, outcome);
         // A fault says that the patch was left exactly as it was, so it is.
-        if (is_open(told) && outcome.faces_after == outcome.faces_before) {
-            mesh = std::move(mesh_before);
+        if (mesh_before && outcome.faces_after == outcome.faces_before) {
+            mesh = std::move(*mesh_before);
             patches = patches_before;
             outcome = told;
             continue;

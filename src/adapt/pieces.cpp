@@ -14,9 +14,11 @@ constexpr int most_faces = 1000;
 
 } // namespace
 
+bool is_small(const mesh::QuadMesh &mesh) { return mesh.n_faces() <= most_faces; }
+
 std::optional<std::size_t> refill_pieces(mesh::QuadMesh &mesh, std::int64_t wanted, const Settings &settings,
                                          const Progress &progress) {
-    if (mesh.n_faces() > most_faces)
+    if (!is_small(mesh))
         return std::nullopt;
     std::vector<int> free;
     for (int f = 0; f < mesh.n_faces(); ++f)

@@ -107,6 +107,8 @@ private:
         if (settings_.align && mesh_.surface)
             cross_field_.emplace(mesh_);
         chord_prepass(mesh_, begin_.faces_wanted, settings_, tell_);
+        if (!is_small(mesh_))
+            return by_windows();
         mesh::QuadMesh other = mesh_;
         bool suffices = false;
         const std::optional<Outcome> of_pieces = by_pieces(suffices);

@@ -18,28 +18,44 @@ std::vector<double> scaled_jacobians(geometry::Quads quads, const geometry::Poin
 
 } // namespace
 
+std::optional<geometry::Points>
+improve_without_spoiling(geometry::Quads quads, std::vector<char> &fixed,
+                         const std::function<geometry::Points(std::span<const char> fixed)> &improve,
+                         const std::function<std::vector<int>(const geometry::Points &)> &spoiled) {
+    for (int round = 0; round < most_rounds; ++round) {
+        geometry::Points improved = improve(fixed);
+        const std::vector<int> bad = spoiled(improved);
+        if (bad.empty())
+            return improved;
+        for (const int q : bad)
+            for (const int v : quads[at(q)])
+                fixed[at(v)] = 1;
+    }
+    return std::nullopt;
+}
+
 void settle(geometry::Quads quads, std::vector<char> fixed, geometry::Points &positions,
             const geometry::WantedAreas &wanted, double weight, double enough,
             const geometry::EmbedOptions &options) {
     if (!geometry::shapes_of(quads, positions).valid)
         return;
     const std::vector<double> before = scaled_jacobians(quads, positions);
-    for (int round = 0; round < most_rounds; ++round) {
-        geometry::Points settled =
-            geometry::match_areas(quads, fixed, positions, wanted, weight, options).positions;
+    const auto spoiled = [&](const geometry::Points &settled) {
         const std::vector<double> now = scaled_jacobians(quads, settled);
-        bool spoiled = false;
+        std::vector<int> bad;
         for (std::size_t q = 0; q < now.size(); ++q)
-            if (now[q] < std::min(before[q], enough)) {
-                spoiled = true; // the next time its vertices stay
-                for (const int v : quads[q])
-                    fixed[at(v)] = 1;
-            }
-        if (!spoiled) {
-            positions = std::move(settled);
-            return;
-        }
-    }
+            if (now[q] < std::min(before[q], enough))
+                bad.push_back(static_cast<int>(q));
+        return bad;
+    };
+    auto settled = improve_without_spoiling(
+        quads, fixed,
+        [&](std::span<const char> held) {
+            return geometry::match_areas(quads, held, positions, wanted, weight, options).positions;
+        },
+        spoiled);
+    if (settled)
+        positions = std::move(*settled);
 }
 
 } // namespace alphamst::smooth

@@ -111,7 +111,6 @@ std::vector<double> qualities(geometry::Quads quads, const geometry::Points &pos
 
 void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &plane,
                  std::span<const double> areas, bool wished, const Settings &settings) {
-    constexpr int most_rounds = 8; // each holds the vertices of what the one before spoiled
     geometry::Points start;
     for (const int v : part.vertices)
         start.push_back(plane.to_plane(reference::point_of(mesh, v)));
@@ -119,22 +118,20 @@ void smooth_flat(mesh::QuadMesh &mesh, const Part &part, const geometry::Plane &
     geometry::EmbedOptions options = flat_shaping(settings);
     options.area = areas;
     std::vector<char> fixed = part.fixed;
-    for (int round = 0; round < most_rounds; ++round) {
-        geometry::Embedding improved = geometry::improve(part.quads, fixed, start, options);
-        const std::vector<int> bad = spoiled(before, qualities(part.quads, improved.positions, plane));
-        for (const int q : bad)
-            for (const int v : part.quads[at(q)])
-                fixed[at(v)] = 1;
-        if (!bad.empty())
-            continue;
-        if (wished)
-            settle(
-                part.quads, fixed, improved.positions,
-                [&](const geometry::Points &) { return std::vector<double>(areas.begin(), areas.end()); },
-                settings.size_weight, enough, options);
-        part.put(mesh, [&](std::size_t i) { return plane.to_space(improved.positions[i]); });
+    auto positions = improve_without_spoiling(
+        part.quads, fixed,
+        [&](std::span<const char> held) {
+            return geometry::improve(part.quads, held, start, options).positions;
+        },
+        [&](const geometry::Points &now) { return spoiled(before, qualities(part.quads, now, plane)); });
+    if (!positions)
         return;
-    }
+    if (wished)
+        settle(
+            part.quads, fixed, *positions,
+            [&](const geometry::Points &) { return std::vector<double>(areas.begin(), areas.end()); },
+            settings.size_weight, enough, options);
+    part.put(mesh, [&](std::size_t i) { return plane.to_space((*positions)[i]); });
 }
 
 void smooth_on_surface(mesh::QuadMesh &mesh, const Part &part, const reference::Reference &reference,

@@ -60,5 +60,31 @@ TEST(Settle, LeavesWhatIsInverted) {
     EXPECT_EQ(positions, square.points);
 }
 
+// A step that spoils the quads of one vertex whenever that may move: it stays, and the others go.
+TEST(ImproveWithoutSpoiling, HoldsWhatIsSpoiledAndGoesOnWithTheRest) {
+    const Square square = noisy(4, 0, 1);
+    std::vector<char> fixed = square.fixed;
+    constexpr int bad = 6, good = 18; // of 5 by 5 vertices
+    int calls = 0;
+    const auto improve = [&](std::span<const char> held) {
+        ++calls;
+        geometry::Points moved = square.points;
+        for (const int v : {bad, good})
+            if (!held[static_cast<std::size_t>(v)])
+                moved[static_cast<std::size_t>(v)].x() += 0.1;
+        return moved;
+    };
+    const auto spoiled = [&](const geometry::Points &now) {
+        return now[bad] != square.points[bad] ? std::vector{0} : std::vector<int>();
+    };
+    const auto improved = improve_without_spoiling(square.quads, fixed, improve, spoiled);
+    ASSERT_TRUE(improved);
+    EXPECT_EQ(calls, 2);
+    EXPECT_EQ((*improved)[bad], square.points[bad]);
+    EXPECT_NE((*improved)[good], square.points[good]);
+    EXPECT_FALSE(improve_without_spoiling(square.quads, fixed, improve,
+                                          [](const geometry::Points &) { return std::vector{0}; }));
+}
+
 } // namespace
 } // namespace alphamst::smooth
