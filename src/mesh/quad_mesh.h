@@ -105,7 +105,10 @@ public:
     // Nothing outside changes: no coordinate, no connectivity; ids of removed entities
     // are used again, and only if fewer come than go do the last entities of
     // the mesh move into the gaps (the origins tell). New faces inherit the marker of
-    // the removed ones (the most frequent). Costs O(disk). Throws Failure (internal) before any change if
+    // the removed ones (the most frequent). Where the disk is on the boundary of the mesh, vertices of that
+    // may go, and others come: then a negative number in the loop is a new vertex, the points of which come
+    // first, and the new edge from loop[i] has the flags, the number and the origin of the edge parents[i] of
+    // the boundary, which goes. Costs O(disk). Throws Failure (internal) before any change if
     // the quads do not fit the loop or would break the manifold: an interior edge that
     // exists outside the disk, an edge of three quads, a boundary edge not used once.
     struct Replaced {
@@ -115,7 +118,8 @@ public:
         std::vector<std::array<int, 2>> moved_faces, moved_vertices;
     };
     Replaced replace_disk(std::span<const int> faces, std::span<const int> loop,
-                          std::span<const std::array<int, 4>> quads, std::span<const OpenMesh::Vec3d> points);
+                          std::span<const std::array<int, 4>> quads, std::span<const OpenMesh::Vec3d> points,
+                          std::span<const int> parents = {});
 
     // Removes a chord: merges the ends of each of its edges and glues the two rails of each of its faces
     // to one edge. `sides` are half-edges of its edges in order, each with the next face of the chord on
@@ -167,6 +171,7 @@ private:
     void move_face(int from, int to);
     // Carries out all moves and takes off what is left over at the end.
     void close_gaps(const Ids &faces, const Ids &edges, const Ids &vertices);
+    class Rim;
     struct Block;
     struct Pieces;
     void write_pieces(Pieces &pieces, Cut &cut);
