@@ -10,9 +10,11 @@ void Commits::renumber(refill::Replacement &replacement, std::vector<int> &buffe
     for (auto *list : {&replacement.window.faces, &buffer})
         for (int &f : *list)
             f = faces.now(f);
-    for (auto *list : {&replacement.window.loop, &replacement.window.interior})
+    patch::Window &window = replacement.window;
+    for (auto *list : {&window.loop, &window.interior, &window.parents})
         for (int &v : *list)
-            v = vertices.now(v);
+            if (v >= 0) // not a new one, nor none
+                v = vertices.now(v);
     for (auto &[v, point] : replacement.moved.vertices)
         v = vertices.now(v);
 }
@@ -32,6 +34,28 @@ void Commits::follow_surface(const refill::Replacement &replacement,
             replacement.surface_triangles.empty()
                 ? reference::spot_of(mesh_, *reference_.surface, replaced.vertices[i]).triangle
                 : replacement.surface_triangles[i];
+}
+
+void Commits::follow_boundary(const refill::Replacement &replacement,
+                              const mesh::QuadMesh::Replaced &replaced) {
+    if (!reference_.boundary)
+        return;
+    reference::Boundary &boundary = *reference_.boundary;
+    const std::size_t n = std::max(boundary.places.size(), at(mesh_.n_vertices()));
+    boundary.places.resize(n);
+    boundary.stays.resize(n);
+    for (const auto &[from, to] : replaced.moved_vertices) {
+        boundary.places[at(to)] = boundary.places[at(from)];
+        boundary.stays[at(to)] = boundary.stays[at(from)];
+    }
+    const std::vector<surface::CurvePlace> &added = replacement.window.added_places;
+    for (std::size_t i = 0; i < replaced.vertices.size(); ++i) {
+        const std::size_t v = at(replaced.vertices[i]);
+        boundary.places[v] = i < added.size() ? added[i] : surface::CurvePlace();
+        boundary.stays[v] = i >= added.size();
+    }
+    boundary.places.resize(at(mesh_.n_vertices()));
+    boundary.stays.resize(at(mesh_.n_vertices()));
 }
 
 // Samples of the surface go to the new faces and to the buffer, both by their numbers before any others
@@ -62,6 +86,7 @@ mesh::QuadMesh::Replaced Commits::put(refill::Replacement &replacement, std::vec
     }
     const auto replaced = refill::commit(mesh_, replacement);
     follow_surface(replacement, replaced);
+    follow_boundary(replacement, replaced);
     follow_distance(replacement, buffer, replaced);
     for (const int f : replacement.window.faces)
         faces.remove(f);

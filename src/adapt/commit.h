@@ -24,6 +24,7 @@ public:
 private:
     void renumber(refill::Replacement &replacement, std::vector<int> &buffer) const;
     void follow_surface(const refill::Replacement &replacement, const mesh::QuadMesh::Replaced &replaced);
+    void follow_boundary(const refill::Replacement &replacement, const mesh::QuadMesh::Replaced &replaced);
     void follow_distance(const refill::Replacement &replacement, const std::vector<int> &buffer,
                          const mesh::QuadMesh::Replaced &replaced);
 

@@ -110,6 +110,7 @@ public:
     }
 
     void run(bool exact) {
+        respace();
         spread();
         collapse();
         reduce(0);
@@ -137,6 +138,26 @@ private:
             return;
         reference_.sizes = &*sizing_;
         reference_.face_weight = sizing_->total(mesh_) / static_cast<double>(sweep_.wanted());
+    }
+
+    // Vertices of the boundary come and go where its edges are not as long as is wanted.
+    void respace() {
+        if (!settings_.edit_boundary || !sizing_ || reference_.surface)
+            return;
+        reference_.edge_length = [this](const Eigen::Vector3d &place) {
+            return std::sqrt(reference_.face_weight) * sizing_->edge_length(place);
+        };
+        reference_.boundary = reference::boundary_of(mesh_, reference_.edge_length);
+        for (const int size : {16, 30, 60, 30}) {
+            Pass pass;
+            pass.purpose = Purpose::respace;
+            pass.size = size;
+            pass.slack = 0.2;
+            pass.shape = wish(1);
+            pass.most_added = 8;
+            if (run(pass, "respace", 0, 0) > 0)
+                smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
+        }
     }
 
     // Faces go to where a size field wants them, before singularities are saved.

@@ -9,6 +9,7 @@
 
 #include "adapt/commit.h"
 #include "index.h"
+#include "reference/locate.h"
 #include "reference/statistics.h"
 
 namespace alphamst::adapt {
@@ -23,6 +24,8 @@ constexpr std::size_t most_for_count = 32; // windows that a pass for the count 
 // Where hardly any window gets refilled, windows of a round may geometry::overlap: it seldom matters. Where
 // as many as one in so many does, they would stand in each other's way.
 constexpr int seldom = 8;
+// Of edges of the boundary, log2 of their length over what is wanted.
+constexpr double uneven = 0.3;
 
 } // namespace
 
@@ -118,6 +121,13 @@ std::optional<refill::Goal> Sweep::goal_of(const Pass &pass, const std::vector<i
         goal.collapse = true;
         goal.most_added = refill::Goal().most_added;
         goal.faces = goal.fewest = goal.most = fewest;
+        return goal;
+    }
+    if (pass.purpose == Purpose::respace) {
+        goal.respace = goal.forbid_old = true;
+        goal.faces = std::max<std::int64_t>(1, std::llround(target_count));
+        goal.fewest = std::max<std::int64_t>(1, std::min(now, goal.faces) / 2);
+        goal.most = 2 * std::max(now, goal.faces);
         return goal;
     }
     if (pass.purpose != Purpose::fewer_singularities && pass.purpose != Purpose::wander &&
@@ -317,10 +327,27 @@ std::vector<int> Sweep::misshapen(double scaled_jacobian) const {
     return vertices;
 }
 
+// Vertices of the boundary that may go and from which an edge is not as long as is wanted.
+std::vector<int> Sweep::misspaced() const {
+    std::vector<int> vertices;
+    for (int e = 0; reference_.boundary && e < mesh_.n_edges(); ++e) {
+        const auto [left, right] = mesh_.edge_faces(e);
+        if (left >= 0 && right >= 0)
+            continue;
+        const auto [v, w] = mesh_.edge_vertices(e);
+        const Eigen::Vector3d a = reference::point_of(mesh_, v), b = reference::point_of(mesh_, w);
+        if (std::abs(std::log2((b - a).norm() / reference_.edge_length((a + b) / 2))) > uneven)
+            vertices.push_back(reference_.boundary->may_go(v) ? v : w);
+    }
+    return vertices;
+}
+
 // In random order.
 std::vector<int> Sweep::choose_seeds(const Pass &pass) {
     std::vector<int> seeds;
-    if (pass.purpose != Purpose::collapse && pass.purpose != Purpose::turn)
+    if (pass.purpose == Purpose::respace)
+        seeds = misspaced();
+    else if (pass.purpose != Purpose::collapse && pass.purpose != Purpose::turn)
         seeds = pass.purpose == Purpose::mend ? misshapen(pass.shape.scaled_jacobian) : irregular();
     const bool everywhere =
         pass.purpose == Purpose::spread || pass.purpose == Purpose::collapse || pass.purpose == Purpose::turn;

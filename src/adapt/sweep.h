@@ -22,6 +22,7 @@ enum class Purpose {
     fewer_singularities,
     wander,   // no more singularities, but elsewhere
     turn,     // no more singularities, and edges along the cross field
+    respace,  // the boundary gets the vertices that are wanted there
     spread,   // the faces go where they are wanted
     collapse, // faces go where there are far too many, whatever becomes of the singularities
     count,    // there come to be as many faces as are wanted
@@ -68,6 +69,7 @@ private:
     struct Round;
 
     std::vector<int> irregular() const;
+    std::vector<int> misspaced() const;
     std::vector<int> misshapen(double scaled_jacobian) const;
     Round plan_round(const Pass &pass);
     void grow_windows(const Pass &pass, Round &round);

@@ -28,6 +28,7 @@ io::Arrays all_quad(io::Arrays arrays, quadrangulate::Quadrangulation how) {
         quadrangulate::quadrangulate({arrays.points, arrays.faces, arrays.face_marker, curves}, how);
     io::Arrays result;
     result.dim = arrays.dim;
+    result.curve_numbers = arrays.curve_numbers;
     if (!arrays.face_marker.empty())
         for (const std::int32_t face : quads.origin)
             result.face_marker.push_back(arrays.face_marker[static_cast<std::size_t>(face)]);
@@ -44,6 +45,7 @@ mesh::QuadMesh mesh_of(const io::Arrays &arrays) {
     require_size(n, static_cast<std::int64_t>(arrays.faces.size() / 4));
     mesh::QuadMesh mesh = mesh::QuadMesh::build(arrays.dim, arrays.points, arrays.faces);
     mesh.face_marker = arrays.face_marker;
+    mesh.curve_numbers = arrays.curve_numbers;
     if (!arrays.marked_edges.empty())
         mesh.edge_marker.resize(static_cast<std::size_t>(mesh.n_edges()));
     for (const auto &[vertices, marker] : arrays.marked_edges) {

@@ -19,6 +19,7 @@ struct Arrays {
         std::int32_t marker;
     };
     std::vector<MarkedEdge> marked_edges; // boundary numbers, in file order
+    bool curve_numbers = false;           // those are tags of curves of the model, which nobody named
 };
 
 // Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk; writing all but

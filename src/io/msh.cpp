@@ -235,8 +235,10 @@ private:
     void read_element(std::int64_t type, std::int32_t physical, std::int32_t entity) {
         if (is_line(type)) {
             const std::int32_t v = node("a line"), w = node("a line");
+            named_ = named_ || physical != 0;
             if (const std::int32_t marker = physical != 0 ? physical : entity; marker != 0)
                 mesh_.marked_edges.push_back({{v, w}, marker});
+            mesh_.curve_numbers = !named_ && !mesh_.marked_edges.empty();
         } else if (type == triangle_type || type == quad_type) {
             std::int32_t face[4] = {-1, -1, -1, -1};
             for (std::int64_t k = 0; k < nodes_of(type); ++k)
@@ -314,8 +316,8 @@ private:
     }
 
     Scanner scan_;
-    int major_ = 2; // version
-    bool nodes_ = false, elements_ = false;
+    int major_ = 2;                                         // version
+    bool nodes_ = false, elements_ = false, named_ = false; // named_: some line is in a physical group
     Numbering numbering_;
     std::map<std::pair<std::int64_t, std::int64_t>, std::int32_t> physical_; // of (dimension, entity)
     Arrays mesh_;

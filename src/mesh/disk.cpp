@@ -84,12 +84,10 @@ void test_rim(const Kernel &kernel, const Disk &disk, const Loop &loop, std::spa
             ++end;
         int v = vertices[i];
         do {
-            const auto side = std::find_if(disk.rim.begin(), disk.rim.end(), [&](int h) {
-                return kernel.from_vertex_handle(Halfedge(h)).idx() == v;
-            });
-            if (side == disk.rim.end())
+            const int side = disk.rim_side(kernel, v);
+            if (side < 0)
                 refuse("the loop leaves the boundary of the disk at vertex {}", Entity::vertex, {v});
-            v = kernel.to_vertex_handle(Halfedge(*side)).idx();
+            v = kernel.to_vertex_handle(Halfedge(side)).idx();
             ++seen;
         } while (loop.place(v) < 0);
         if (v != vertices[end % vertices.size()])
@@ -101,19 +99,25 @@ void test_rim(const Kernel &kernel, const Disk &disk, const Loop &loop, std::spa
 }
 
 // Edges of the loop that are new have a parent among those of the rim; without parents nothing is new.
-void test_parents(const Disk &disk, std::span<const int> parents, std::size_t n_loop) {
+void test_parents(const Kernel &kernel, const Disk &disk, std::span<const int> parents) {
     const bool any = std::any_of(disk.sides.begin(), disk.sides.end(), [](int side) { return side < 0; });
     if (parents.empty() && any)
         refuse("the loop is longer than the boundary of the disk");
-    if (!parents.empty() && parents.size() != n_loop)
+    if (!parents.empty() && parents.size() != disk.sides.size())
         refuse("each edge of the loop of a disk needs a parent, or none does");
-    for (std::size_t i = 0; any && i < n_loop; ++i)
-        if (disk.sides[i] < 0 &&
-            std::none_of(disk.rim.begin(), disk.rim.end(), [&](int h) { return h / 2 == parents[i]; }))
+    for (std::size_t i = 0; any && i < parents.size(); ++i)
+        if (disk.sides[i] < 0 && disk.rim_side(kernel, parents[i]) < 0)
             refuse("a new edge of the loop of a disk has a parent that is not at its rim");
 }
 
 } // namespace
+
+int Disk::rim_side(const Kernel &kernel, int vertex) const {
+    const auto side = std::find_if(rim.begin(), rim.end(), [&](int h) {
+        return kernel.from_vertex_handle(Halfedge(h)).idx() == vertex;
+    });
+    return side == rim.end() ? -1 : *side;
+}
 
 Disk find_disk(const Kernel &kernel, std::span<const int> faces, std::span<const int> vertices,
                std::span<const int> parents) {
@@ -151,7 +155,7 @@ Disk find_disk(const Kernel &kernel, std::span<const int> faces, std::span<const
             h = kernel.next_halfedge_handle(h);
         }
     }
-    test_parents(disk, parents, vertices.size());
+    test_parents(kernel, disk, parents);
     if (!disk.rim.empty())
         test_rim(kernel, disk, loop, vertices);
     std::sort(disk.edges.begin(), disk.edges.end());

@@ -16,6 +16,7 @@ struct Disk {
     // Where edges of the loop are new, the old sides, the disk at their left, one at most from each vertex;
     // nothing beyond the boundary was at them.
     std::vector<int> rim;
+    int rim_side(const Kernel &kernel, int vertex) const; // the one from there, -1 if there is none
 };
 
 // What replace_disk has to know of its loop and faces. Throws Failure (internal) if they are no disk, or if

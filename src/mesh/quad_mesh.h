@@ -75,6 +75,9 @@ public:
     // Flags and markers, one per entity.
     std::vector<std::uint8_t> vertex_flags, edge_flags, face_flags; // bits of Flag
     std::vector<std::int32_t> edge_marker, face_marker;             // 0: none; empty: all none
+    // Edges are numbered by tags of curves that nobody named: where one ends and the next begins, the
+    // boundary goes on.
+    bool curve_numbers = false;
 
     // Not in the checksum. While origins say that something has changed, the values are still those of
     // the mesh before: transfer::carry brings them along, once for an operation.
@@ -107,10 +110,10 @@ public:
     // the mesh move into the gaps (the origins tell). New faces inherit the marker of
     // the removed ones (the most frequent). Where the disk is on the boundary of the mesh, vertices of that
     // may go, and others come: then a negative number in the loop is a new vertex, the points of which come
-    // first, and the new edge from loop[i] has the flags, the number and the origin of the edge parents[i] of
-    // the boundary, which goes. Costs O(disk). Throws Failure (internal) before any change if
-    // the quads do not fit the loop or would break the manifold: an interior edge that
-    // exists outside the disk, an edge of three quads, a boundary edge not used once.
+    // first, and the new edge from loop[i] has the flags, the number and the origin of the edge of the
+    // boundary that starts at the vertex parents[i], the disk at its left, and goes. Costs O(disk). Throws
+    // Failure (internal) before any change if the quads do not fit the loop or would break the manifold: an
+    // interior edge that exists outside the disk, an edge of three quads, a boundary edge not used once.
     struct Replaced {
         std::vector<int> faces;    // ids of the new faces, in the order of quads
         std::vector<int> vertices; // ids of the new vertices, in the order of points

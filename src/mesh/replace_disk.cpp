@@ -77,7 +77,7 @@ public:
         for (std::size_t i = 0; !disk.rim.empty() && i < loop.size(); ++i) {
             if (!is_new_[i])
                 continue;
-            const std::size_t parent = at(parents[i]);
+            const std::size_t parent = at(disk.rim_side(kernel, parents[i]) / 2);
             edges_.push_back({i, -1, -1, mesh.edge_flags[parent], mesh.edge_origin[parent],
                               mesh.edge_marker.empty() ? 0 : mesh.edge_marker[parent]});
             for (const int side : disk.rim) {

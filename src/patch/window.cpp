@@ -38,12 +38,6 @@ Star star_of(const mesh::QuadMesh &mesh, std::span<const int> faces, Halfedge st
     return star;
 }
 
-int wanted_at(const Star &star) {
-    const int regular = star.mesh_boundary ? std::max(1, static_cast<int>(std::lround(star.angle / 90))) : 4;
-    const int spanned = 1 + static_cast<int>(star.inside_angle / 175); // a face spans less than 180 degrees
-    return std::max(regular - star.outside, spanned);
-}
-
 // The boundary half-edges in the order of the loop.
 std::vector<Halfedge> walk(const mesh::QuadMesh &mesh, const Region &region) {
     std::vector<Halfedge> path;
@@ -62,6 +56,13 @@ std::vector<Halfedge> walk(const mesh::QuadMesh &mesh, const Region &region) {
 
 } // namespace
 
+int wanted_at(int regular, int outside, double inside_angle) {
+    const int spanned = 1 + static_cast<int>(inside_angle / 175); // a face spans less than 180 degrees
+    return std::max(regular - outside, spanned);
+}
+
+int regular_at_boundary(double angle) { return std::max(1, static_cast<int>(std::lround(angle / 90))); }
+
 Window make_window(const mesh::QuadMesh &mesh, std::span<const int> faces) {
     return window_of(mesh, Region(mesh, faces));
 }
@@ -77,7 +78,8 @@ Window window_of(const mesh::QuadMesh &mesh, Region region) {
         window.loop.push_back(from(mesh, h));
         window.inside.push_back(star.inside);
         window.outside.push_back(star.outside);
-        window.wanted.push_back(wanted_at(star));
+        window.wanted.push_back(wanted_at(star.mesh_boundary ? regular_at_boundary(star.angle) : 4,
+                                          star.outside, star.inside_angle));
         window.angles.push_back(star.inside_angle);
     }
     window.faces = std::move(region.faces);

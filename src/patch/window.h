@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/quad_mesh.h"
+#include "surface/boundary_curve.h"
 
 namespace alphamst::patch {
 
@@ -35,6 +36,12 @@ struct Window {
     std::vector<int> wanted;   // [loop] the boundary word: faces inside that make the vertex regular
     // [loop] interior angle of the window, degrees, from the angles of its faces
     std::vector<double> angles;
+
+    // Where the boundary of the mesh gets other vertices within the window, see refill/respacing.h: those are
+    // negative in the loop, and vertices that go count as interior.
+    std::vector<OpenMesh::Vec3d> added;            // [negative one of the loop]
+    std::vector<surface::CurvePlace> added_places; // likewise
+    std::vector<int> parents;                      // [loop] see QuadMesh::replace_disk; empty: none are new
 };
 
 // Defect bits of a face set (empty, not_connected, not_disk, pinched,
@@ -50,6 +57,9 @@ std::int32_t defects_of(const mesh::QuadMesh &mesh, const Region &region);
 // outside at a vertex of the mesh boundary, at least 1. Where the angle inside the window is
 // not below 175 degrees it is at least 2, and so on for 2 x 175: a corner cannot span it.
 Window make_window(const mesh::QuadMesh &mesh, std::span<const int> faces);
+// That rule, for a vertex with so many faces outside; regular: 4, or what an angle at the boundary asks for.
+int wanted_at(int regular, int outside, double inside_angle);
+int regular_at_boundary(double angle);
 Window window_of(const mesh::QuadMesh &mesh, Region region);
 
 // 0..1: area of the window over the area of its planar convex hull (in its mean

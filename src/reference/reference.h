@@ -10,6 +10,7 @@
 #include "geometry/surface_positions.h"
 #include "mesh/quad_mesh.h"
 #include "outcome.h"
+#include "reference/boundary.h"
 #include "reference/surface_distance.h"
 #include "settings.h"
 
@@ -28,6 +29,8 @@ struct Reference {
     const SizingField *sizes = nullptr;        // of the caller, for patches; of windows in a plane
     const RegionSizes *region_sizes = nullptr; // of a region whose parts are patches; these come first
     double face_weight = 0;                    // by these sizes, of a face as it is wanted
+    std::optional<Boundary> boundary;          // where its vertices may come and go, as edge_length wants it
+    EdgeLength edge_length;
     // Patches that are flat lie in their plane, though the mesh keeps to a surface.
     bool planes_first = false;
     std::optional<SurfaceDistance> surface_distance; // where the whole of it is to stay covered

@@ -1,6 +1,7 @@
 // Where the faces of a whole mesh are to go.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,6 +24,8 @@ public:
     bool wished() const { return wished_; }
 
     double of_face(const mesh::QuadMesh &mesh, int face) const;
+    // In a plane, but for a factor: of edges that are wanted at a place.
+    double edge_length(const Eigen::Vector3d &place) const { return 1 / std::sqrt(at(place)); }
     // In a plane, of any quad: its area times its density.
     double weight(const geometry::Quad &quad) const;
 

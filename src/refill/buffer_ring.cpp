@@ -41,7 +41,8 @@ BufferRing::BufferRing(const mesh::QuadMesh &mesh, const Cavity &cavity, std::ve
             normals_ = std::move(judged.normals);
         }
     } else {
-        flat_ = cavity.flat(vertices_);
+        flat_ = cavity.flat(std::span(vertices_).subspan(cavity.window.loop.size()));
+        flat_.insert(flat_.begin(), cavity.loop_positions().begin(), cavity.loop_positions().end());
     }
     if (!stays_ && !quads_.empty())
         shape_ =
@@ -70,7 +71,8 @@ void BufferRing::number(const mesh::QuadMesh &mesh) {
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
         const int v = vertices_[i];
         const int inside = i < window.loop.size() ? window.inside[i] : 0;
-        fixed_.push_back(stays_ || found[i] + inside != mesh.valence(v) || patch::constrained(mesh, v));
+        fixed_.push_back(stays_ || v < 0 || found[i] + inside != mesh.valence(v) ||
+                         patch::constrained(mesh, v));
     }
 }
 

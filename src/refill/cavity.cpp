@@ -7,6 +7,7 @@
 #include "patch/region.h"
 #include "reference/cross_field.h"
 #include "reference/locate.h"
+#include "refill/respacing.h"
 #include "smooth/shaping.h"
 
 namespace alphamst::refill {
@@ -54,6 +55,18 @@ Cavity::Cavity(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal,
         want_sizes();
 }
 
+void Cavity::respace(patch::Window respaced) {
+    if (curved())
+        throw Refusal{Fault::internal, "a curved patch keeps its boundary"};
+    window = std::move(respaced);
+    regular_ = window.wanted;
+    old_positions_.clear();
+    for (const Eigen::Vector3d &p : loop_points(mesh_, window))
+        old_positions_.push_back(plane_.to_plane(p));
+    if (goal_.sizes)
+        keep_angles(goal_.keep_quality ? std::min(0.95, old_quality + 0.01) : std::min(0.3, old_quality));
+}
+
 bool Cavity::fits(const fill::Filling &filling) const {
     const int length = filling.boundary;
     for (const auto &quad : filling.quads)
@@ -61,8 +74,9 @@ bool Cavity::fits(const fill::Filling &filling) const {
             const int a = quad[k], b = quad[(k + 1) % 4];
             if (a >= length || b >= length || (a + 1) % length == b || (b + 1) % length == a)
                 continue;
-            const int edge = mesh_.find_edge(window.loop[static_cast<std::size_t>(a)],
-                                             window.loop[static_cast<std::size_t>(b)]);
+            const int from = window.loop[static_cast<std::size_t>(a)],
+                      to = window.loop[static_cast<std::size_t>(b)];
+            const int edge = from < 0 || to < 0 ? -1 : mesh_.find_edge(from, to);
             if (edge >= 0 && !inside(edge))
                 return false;
         }
@@ -76,7 +90,7 @@ std::map<int, std::int64_t> Cavity::valences(const fill::Filling &filling) const
             ++faces[static_cast<std::size_t>(v)];
     std::map<int, std::int64_t> count;
     for (std::size_t v = 0; v < faces.size(); ++v) {
-        if (v < window.loop.size() && mesh_.on_boundary(window.loop[v]))
+        if (v < window.loop.size() && on_boundary(v))
             continue;
         ++count[faces[v] + (v < window.loop.size() ? window.outside[v] : 0)];
     }
@@ -98,8 +112,7 @@ fill::Request Cavity::request() const {
     fill::Request request;
     request.word = window.wanted;
     for (std::size_t i = 0; i < window.loop.size(); ++i)
-        request.regular.push_back(
-            corners_given_ || mesh_.on_boundary(window.loop[i]) ? regular_[i] : 4 - window.outside[i]);
+        request.regular.push_back(corners_given_ || on_boundary(i) ? regular_[i] : 4 - window.outside[i]);
     request.angles = window.angles;
     request.least_sine = least_sine_;
     request.faces = goal_.faces;
@@ -207,8 +220,7 @@ int Cavity::singular_all(const fill::Filling &filling) const {
         if (v >= window.loop.size())
             sum += faces[v] != 4;
         else
-            sum += mesh_.on_boundary(window.loop[v]) ? faces[v] != regular_[v]
-                                                     : faces[v] + window.outside[v] != 4;
+            sum += on_boundary(v) ? faces[v] != regular_[v] : faces[v] + window.outside[v] != 4;
     return sum;
 }
 

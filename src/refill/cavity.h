@@ -43,6 +43,9 @@ public:
     // surface_triangles.
     Cavity(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal, const Settings &settings,
            const reference::Reference &reference);
+    // From now on the boundary of the mesh has other vertices there. Only for flat patches; the filling that
+    // is there fits no longer, so there are templates only.
+    void respace(patch::Window respaced);
 
     // A filling by its numbers, made when asked for.
     struct Candidate {
@@ -61,6 +64,10 @@ public:
 
     // The filling that is there, if it has the wanted numbers.
     std::optional<Candidate> present() const;
+
+    // Whether a vertex of the loop is on the boundary of the mesh.
+    bool on_boundary(std::size_t i) const { return window.loop[i] < 0 || mesh_.on_boundary(window.loop[i]); }
+    bool respaced() const { return !window.parents.empty(); }
 
     // The boundary is so long for the faces, present or wanted, that templates seldom follow its turns.
     bool ragged() const;
@@ -102,6 +109,9 @@ public:
     OpenMesh::Vec3d lift(const Eigen::Vector2d &position) const;
     // Any vertices of the mesh in the plane of the patch, or on its surface.
     geometry::Points flat(std::span<const int> vertices) const;
+    std::span<const Eigen::Vector2d> loop_positions() const {
+        return std::span(old_positions_).first(window.loop.size());
+    }
     geometry::SurfacePositions on_surface(std::span<const int> vertices) const;
 
     patch::Window window;

@@ -57,8 +57,7 @@ geometry::Embedding Cavity::embed_flat(const PlacedFilling &shape,
         if (kept.valid)
             return kept;
     }
-    const std::span<const Eigen::Vector2d> loop(old_positions_.data(), window.loop.size());
-    return geometry::embed(filling.quads, filling.boundary, filling.vertices, loop, options);
+    return geometry::embed(filling.quads, filling.boundary, filling.vertices, loop_positions(), options);
 }
 
 CavityEmbedding Cavity::start(const PlacedFilling &shape, std::optional<double> size_weight) const {
@@ -206,8 +205,7 @@ double Cavity::predicted_size_error(const PlacedFilling &shape) const {
     const fill::Filling &filling = shape.filling;
     if (!shape.positions.empty())
         return sizes_->error(in_space(filling, shape.positions)).rms;
-    geometry::Points positions = geometry::embed_in_loop(filling.quads, filling.vertices,
-                                                         std::span(old_positions_).first(window.loop.size()));
+    geometry::Points positions = geometry::embed_in_loop(filling.quads, filling.vertices, loop_positions());
     return sizes_->error(in_space(filling, positions)).rms;
 }
 

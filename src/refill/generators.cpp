@@ -51,7 +51,9 @@ struct Cavity::Inner {
 
 std::vector<Cavity::Generator> Cavity::generators() const {
     std::vector<Generator> list;
-    if (goal_.collapse) {
+    if (respaced()) {
+        list.push_back(templates(request()));
+    } else if (goal_.collapse) {
         list.push_back(collapsed());
     } else if (goal_.keep_quality) {
         // A smallest scaled Jacobian that is already good is seldom reached again next to
@@ -99,7 +101,7 @@ std::vector<std::int64_t> Cavity::nearest_counts() const {
 
 std::optional<Cavity::Candidate> Cavity::present() const {
     const auto faces = static_cast<std::int64_t>(old.quads.size());
-    if (goal_.forbid_old || (!goal_.any_count && goal_.faces != faces))
+    if (respaced() || goal_.forbid_old || (!goal_.any_count && goal_.faces != faces))
         return std::nullopt;
     return Candidate{faces, old_singular_all, [this] { return PlacedFilling{old, old_positions_}; }};
 }

@@ -15,6 +15,7 @@ struct Goal {
     bool turn = false;         // towards the cross field of the reference
     bool or_nearest = false;   // where that many faces cannot be had, as near to it as can be
     bool last_try = true;      // otherwise it is asked for again with a larger tolerance of distances
+    bool respace = false;      // the boundary of the mesh gets the vertices that are wanted there
     bool collapse = false;     // quads of the old filling collapsed, nothing else
     std::int64_t fewest = 0, most = 0; // any_count: faces in this range; 0: from half to twice as many
     int most_added = 1 << 20;          // singularities, those of the mesh boundary included

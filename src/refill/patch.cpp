@@ -158,8 +158,10 @@ Proposal propose(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goa
 }
 
 mesh::QuadMesh::Replaced commit(mesh::QuadMesh &mesh, const Replacement &replacement) {
-    return mesh.replace_disk(replacement.window.faces, replacement.window.loop, replacement.filling.quads,
-                             replacement.points);
+    const patch::Window &window = replacement.window;
+    std::vector<OpenMesh::Vec3d> points = window.added;
+    points.insert(points.end(), replacement.points.begin(), replacement.points.end());
+    return mesh.replace_disk(window.faces, window.loop, replacement.filling.quads, points, window.parents);
 }
 
 } // namespace alphamst::refill

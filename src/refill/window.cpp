@@ -7,6 +7,7 @@
 #include "reference/cross_field.h"
 #include "reference/locate.h"
 #include "reference/size_error.h"
+#include "refill/respacing.h"
 
 namespace alphamst::refill {
 namespace {
@@ -15,7 +16,8 @@ constexpr double least_gain = 0.05; // of the scaled Jacobian
 // Degrees: what a window that turns gains at least. Fillings that are compared for that.
 constexpr double least_turn = 2, right_angle = 90;
 constexpr int most_compared = 4;
-constexpr int most_weighed = 8; // within a window densities hardly differ as much as areas in a web do
+constexpr int most_spacings = 2; // of the boundary within a window, but for the present one
+constexpr int most_weighed = 8;  // within a window densities hardly differ as much as areas in a web do
 
 std::vector<geometry::Quad> quads_of(const mesh::QuadMesh &mesh, const std::vector<int> &faces) {
     std::vector<geometry::Quad> quads;
@@ -86,8 +88,7 @@ private:
         if (reference.sizes == nullptr || cavity_.curved())
             return false;
         std::vector<Eigen::Vector3d> points;
-        for (const int v : replacement.window.loop)
-            points.push_back(reference::point_of(mesh_, v));
+        points = loop_points(mesh_, replacement.window);
         for (const OpenMesh::Vec3d &p : replacement.points)
             points.emplace_back(p[0], p[1], p[2]);
         std::vector<geometry::Quad> quads;
@@ -125,18 +126,67 @@ private:
     int tried_ = 0, compared_ = 0;
 };
 
+// With the boundary that is there, and, where that may change, with others.
+struct WindowRefill {
+    const mesh::QuadMesh &mesh;
+    const Place &place;
+    const ShapeBounds &wanted;
+    const Settings &settings;
+    const reference::Reference &reference;
+    Trace &trace;
+
+    std::optional<Replacement> run(const Goal &goal) const {
+        Patch region;
+        region.faces = place.faces;
+        const Cavity cavity(mesh, region, goal, settings, reference);
+        if (!reference.boundary || cavity.curved())
+            return search(cavity, goal);
+        const Respacing respacing(mesh, cavity.window, *reference.boundary, reference.edge_length,
+                                  settings.tolerance);
+        if (goal.respace) {
+            const auto counts = respacing.best();
+            return counts ? search_respaced(region, respacing.window(*counts, true), goal) : std::nullopt;
+        }
+        std::optional<Replacement> best = search(cavity, goal);
+        Goal better = goal;
+        int tried = 0;
+        for (const Respacing::Counts &counts : respacing.near()) {
+            auto window = respacing.window(counts, false);
+            if (!window)
+                continue;
+            if (best)
+                better.most_added = best->singular_change - 1;
+            if (auto found = search_respaced(region, std::move(window), better))
+                best = std::move(found);
+            if (++tried == most_spacings)
+                break;
+        }
+        return best;
+    }
+
+    std::optional<Replacement> search_respaced(const Patch &region, std::optional<patch::Window> respaced,
+                                               const Goal &goal) const {
+        if (!respaced)
+            return std::nullopt;
+        Cavity cavity(mesh, region, goal, settings, reference);
+        cavity.respace(std::move(*respaced));
+        return search(cavity, goal);
+    }
+
+    std::optional<Replacement> search(const Cavity &cavity, const Goal &goal) const {
+        const BufferRing buffer(mesh, cavity, place.buffer, false);
+        Evaluator evaluator(mesh, cavity, buffer, settings, trace);
+        return Search(mesh, place, cavity, goal, wanted, settings, evaluator, trace).run();
+    }
+};
+
 } // namespace
 
 std::optional<Replacement> refill_window(const mesh::QuadMesh &mesh, const Place &place, const Goal &goal,
                                          const ShapeBounds &wanted, const Settings &settings,
                                          const reference::Reference &reference, Trace &trace) {
     try {
-        Patch region;
-        region.faces = place.faces;
-        const Cavity cavity(mesh, region, goal, settings, reference);
-        const BufferRing buffer(mesh, cavity, place.buffer, false);
-        Evaluator evaluator(mesh, cavity, buffer, settings, trace);
-        return Search(mesh, place, cavity, goal, wanted, settings, evaluator, trace).run();
+        return WindowRefill{mesh, place, wanted, settings, reference, trace}.run(goal);
     } catch (const Refusal &) {
     }
     return std::nullopt;

@@ -1,0 +1,370 @@
+#include "refill/respacing.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "index.h"
+#include "patch/region.h"
+#include "reference/locate.h"
+
+namespace alphamst::refill {
+namespace {
+
+using Eigen::Vector3d;
+using surface::CurvePlace;
+
+constexpr int samples_per_edge = 4; // of wanted lengths along a run
+// Of log2(length / wanted length) of edges, squared: as much may stay, or come for fewer singular vertices.
+constexpr double small_error = 0.09;
+// Part of the error that is to be left where vertices go elsewhere for the sake of sizes alone.
+constexpr double worthwhile = 0.6;
+
+// Degrees by which the curve turns at a point at which an edge rather ends, and part of an edge by which that
+// may be moved for it.
+constexpr double least_bend = 10, most_moved = 0.3;
+
+double distance_from_segment(const Vector3d &p, const Vector3d &a, const Vector3d &b) {
+    const Vector3d along = b - a;
+    const double length = along.squaredNorm();
+    const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
+    return (p - a - t * along).norm();
+}
+
+double squared_log(double ratio) {
+    const double log = std::log2(ratio);
+    return log * log;
+}
+
+// Degrees, 0 .. 360, from the next vertex to the one before, the window at the left.
+double angle_between(const Vector3d &before, const Vector3d &p, const Vector3d &next,
+                     const Vector3d &normal) {
+    const Vector3d u = next - p, v = before - p;
+    const double angle = std::atan2(u.cross(v).dot(normal), u.dot(v)) * 180 / std::numbers::pi;
+    return angle < 0 ? angle + 360 : angle;
+}
+
+} // namespace
+
+Respacing::Respacing(const mesh::QuadMesh &mesh, const patch::Window &window,
+                     const reference::Boundary &boundary, const reference::EdgeLength &edge_length,
+                     double tolerance)
+    : mesh_(mesh), window_(window), boundary_(boundary), edge_length_(edge_length), tolerance_(tolerance) {
+    find_runs();
+}
+
+void Respacing::find_runs() {
+    const std::size_t n = window_.loop.size();
+    const auto vertex = [&](std::size_t i) { return window_.loop[i % n]; };
+    const auto on_curve = [&](std::size_t i) { // the edge from there
+        const auto [left, right] = mesh_.edge_faces(mesh_.find_edge(vertex(i), vertex(i + 1)));
+        return (left < 0 || right < 0) && boundary_.places[at(vertex(i))].curve >= 0 &&
+               boundary_.places[at(vertex(i + 1))].curve >= 0;
+    };
+    const auto goes_on = [&](std::size_t i) { // a run does at the vertex
+        return on_curve(i + n - 1) && on_curve(i) && boundary_.may_go(vertex(i));
+    };
+    std::vector<char> edge(n), through(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        edge[i] = on_curve(i);
+        through[i] = goes_on(i);
+    }
+    // The loop of a whole closed boundary keeps its first vertex.
+    const auto start =
+        static_cast<std::size_t>(std::find(through.begin(), through.end(), 0) - through.begin()) % n;
+    for (std::size_t k = 0; k < n;) {
+        const std::size_t i = start + k;
+        if (!edge[i % n]) {
+            ++k;
+            continue;
+        }
+        Run run;
+        run.first = i % n;
+        do {
+            ++run.edges;
+            ++k;
+        } while (k < n && through[(start + k) % n] && edge[(start + k) % n]);
+        run.from = boundary_.places[at(vertex(i))];
+        run.length = boundary_.curves->way(run.from, boundary_.places[at(vertex(i + at(run.edges)))]);
+        measure(run);
+        runs_.push_back(std::move(run));
+    }
+}
+
+void Respacing::measure(Run &run) const {
+    const int samples = samples_per_edge * std::max(2, run.edges);
+    run.wanted_till.push_back(0);
+    for (int k = 0; k < samples; ++k) {
+        const Vector3d middle =
+            boundary_.curves->at(boundary_.curves->advance(run.from, run.length * (k + 0.5) / samples));
+        run.wanted += run.length / samples / edge_length_(middle);
+        run.wanted_till.push_back(run.wanted);
+    }
+    const std::size_t n = window_.loop.size();
+    for (std::size_t i = run.first; i < run.first + at(run.edges); ++i) {
+        const Vector3d a = reference::point_of(mesh_, window_.loop[i % n]),
+                       b = reference::point_of(mesh_, window_.loop[(i + 1) % n]);
+        run.error += squared_log((b - a).norm() / edge_length_((a + b) / 2));
+    }
+}
+
+double Respacing::error(const Run &run, int edges) const { return edges * squared_log(run.wanted / edges); }
+
+double Respacing::error(const Counts &counts) const {
+    double sum = 0;
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+        sum += counts[r] == runs_[r].edges ? runs_[r].error : error(runs_[r], counts[r]);
+    return sum;
+}
+
+// Of the loop with such runs.
+int Respacing::parity(const Counts &counts) const {
+    int length = static_cast<int>(window_.loop.size());
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+        length += counts[r] - runs_[r].edges;
+    return length % 2;
+}
+
+std::vector<Respacing::Counts> Respacing::near() const {
+    Counts now;
+    int edges = 0;
+    for (const Run &run : runs_) {
+        now.push_back(run.edges);
+        edges += run.edges;
+    }
+    const double most = std::max(error(now), small_error * edges);
+    std::vector<std::pair<double, Counts>> rated;
+    const auto rate = [&](const Counts &counts) {
+        if (std::all_of(counts.begin(), counts.end(), [](int n) { return n > 0; }) && parity(counts) == 0)
+            if (const double e = error(counts); e <= most)
+                rated.emplace_back(e, counts);
+    };
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+        for (const int more : {-2, -1, 1, 2}) {
+            Counts counts = now;
+            counts[r] += more;
+            rate(counts);
+            for (std::size_t other = r + 1; other < runs_.size(); ++other)
+                for (const int also : {-1, 1}) {
+                    Counts both = counts;
+                    both[other] += also;
+                    rate(both);
+                }
+        }
+    std::stable_sort(rated.begin(), rated.end(),
+                     [](const auto &a, const auto &b) { return a.first < b.first; });
+    std::vector<Counts> list;
+    for (auto &[e, counts] : rated)
+        list.push_back(std::move(counts));
+    return list;
+}
+
+std::optional<Respacing::Counts> Respacing::best() const {
+    Counts counts;
+    double before = 0;
+    int edges = 0;
+    for (const Run &run : runs_) {
+        counts.push_back(std::max(1, static_cast<int>(std::lround(run.wanted))));
+        before += run.error;
+        edges += counts.back();
+    }
+    if (runs_.empty())
+        return std::nullopt;
+    if (parity(counts) != 0) {
+        double least = 0;
+        std::size_t changed = runs_.size();
+        int by = 0;
+        for (std::size_t r = 0; r < runs_.size(); ++r)
+            for (const int more : {-1, 1}) {
+                const double cost =
+                    error(runs_[r], std::max(1, counts[r] + more)) - error(runs_[r], counts[r]);
+                if (counts[r] + more > 0 && (changed == runs_.size() || cost < least)) {
+                    least = cost;
+                    changed = r;
+                    by = more;
+                }
+            }
+        counts[changed] += by;
+    }
+    double after = 0;
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+        after += error(runs_[r], counts[r]);
+    if (before <= small_error * edges || after > worthwhile * before)
+        return std::nullopt;
+    return counts;
+}
+
+bool Respacing::keeps_curve(CurvePlace from, double length) const {
+    const CurvePlace to = boundary_.curves->advance(from, length);
+    const Vector3d a = boundary_.curves->at(from), b = boundary_.curves->at(to);
+    double missed = 0;
+    for (const auto &bend : boundary_.curves->between(from, length))
+        missed = std::max(missed, distance_from_segment(bend.point, a, b));
+    if (missed == 0)
+        return true;
+    // Two edges that come nearer to each other by less than half of what is between them do not meet.
+    return missed <= tolerance_ * edge_length_((a + b) / 2) &&
+           !boundary_.curves->others_near(from, length, 2 * missed);
+}
+
+// As wanted lengths have it, but at bends that are near.
+std::vector<double> Respacing::lengths(const Run &run, int edges) const {
+    std::vector<double> lengths{0};
+    const auto samples = static_cast<double>(run.wanted_till.size() - 1);
+    std::size_t k = 0;
+    for (int i = 1; i < edges; ++i) {
+        const double wanted = run.wanted * i / edges;
+        while (k + 2 < run.wanted_till.size() && run.wanted_till[k + 1] < wanted)
+            ++k;
+        const double part = (wanted - run.wanted_till[k]) / (run.wanted_till[k + 1] - run.wanted_till[k]);
+        lengths.push_back(run.length * (static_cast<double>(k) + part) / samples);
+    }
+    lengths.push_back(run.length);
+    std::vector<double> turns(lengths.size(), least_bend);
+    const std::vector<double> even = lengths;
+    for (const auto &bend : boundary_.curves->between(run.from, run.length)) {
+        const auto after =
+            static_cast<std::size_t>(std::upper_bound(even.begin(), even.end(), bend.along) - even.begin());
+        const double width = even[after] - even[after - 1];
+        const std::size_t i = bend.along < even[after - 1] + width / 2 ? after - 1 : after;
+        if (i > 0 && i + 1 < even.size() && bend.turn > turns[i] &&
+            std::abs(bend.along - even[i]) < most_moved * width) {
+            turns[i] = bend.turn;
+            lengths[i] = bend.along;
+        }
+    }
+    return lengths;
+}
+
+std::optional<Respacing::Places> Respacing::places(const Run &run, int edges) const {
+    Places places;
+    const std::vector<double> ends = lengths(run, edges);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const CurvePlace from = boundary_.curves->advance(run.from, ends[i - 1]);
+        if (!keeps_curve(from, ends[i] - ends[i - 1]))
+            return std::nullopt;
+        if (i > 1)
+            places.push_back(from);
+    }
+    return places;
+}
+
+std::optional<patch::Window> Respacing::window(const Counts &counts, bool everywhere) const {
+    const std::size_t n = window_.loop.size();
+    patch::Window changed = window_;
+    changed.loop.clear();
+    changed.outside.clear();
+    changed.inside.clear();
+    std::vector<const Run *> starts(n, nullptr);
+    for (const Run &run : runs_)
+        if (everywhere || counts[static_cast<std::size_t>(&run - runs_.data())] != run.edges)
+            starts[run.first] = &run;
+    // From a vertex that stays.
+    std::size_t first = 0;
+    for (const Run &run : runs_)
+        if (starts[run.first] != nullptr && run.first + at(run.edges) > n)
+            first = run.first;
+    const auto keep = [&](std::size_t i, int parent) {
+        changed.loop.push_back(window_.loop[i]);
+        changed.inside.push_back(window_.inside[i]);
+        changed.outside.push_back(window_.outside[i]);
+        changed.parents.push_back(parent);
+    };
+    for (std::size_t k = 0; k < n;) {
+        const std::size_t i = (first + k) % n;
+        const Run *run = starts[i];
+        if (run == nullptr) {
+            keep(i, -1);
+            ++k;
+            continue;
+        }
+        const auto found = places(*run, counts[static_cast<std::size_t>(run - runs_.data())]);
+        if (!found)
+            return std::nullopt;
+        // All edges of a run are alike but for their origin: that of the old edge at the middle.
+        double before = 0;
+        std::vector<double> ends; // of the old edges, along the run
+        for (int e = 1; e <= run->edges; ++e) {
+            const CurvePlace end = boundary_.places[at(window_.loop[(i + at(e)) % n])];
+            ends.push_back(e == run->edges ? run->length : boundary_.curves->way(run->from, end));
+        }
+        const auto parent = [&](double middle) {
+            const auto e = std::min<std::size_t>(
+                static_cast<std::size_t>(std::lower_bound(ends.begin(), ends.end(), middle) - ends.begin()),
+                ends.size() - 1);
+            return window_.loop[(i + e) % n]; // where it starts
+        };
+        for (std::size_t j = 0; j <= found->size(); ++j) {
+            const double after =
+                j < found->size() ? boundary_.curves->way(run->from, (*found)[j]) : run->length;
+            const int edge = parent((before + after) / 2);
+            if (j == 0) {
+                keep(i, edge);
+            } else {
+                const Vector3d p = boundary_.curves->at((*found)[j - 1]);
+                changed.loop.push_back(-1 - static_cast<int>(changed.added.size()));
+                changed.inside.push_back(0);
+                changed.outside.push_back(0);
+                changed.parents.push_back(edge);
+                changed.added.emplace_back(p.x(), p.y(), p.z());
+                changed.added_places.push_back((*found)[j - 1]);
+            }
+            before = after;
+        }
+        for (int e = 1; e < run->edges; ++e)
+            changed.interior.push_back(window_.loop[(i + at(e)) % n]);
+        k += at(run->edges);
+    }
+    std::sort(changed.interior.begin(), changed.interior.end());
+    set_angles(changed);
+    return changed;
+}
+
+void Respacing::set_angles(patch::Window &window) const {
+    const std::vector<Vector3d> points = loop_points(mesh_, window);
+    Vector3d normal = Vector3d::Zero();
+    for (const int f : window_.faces)
+        normal += geometry::area_vector(reference::quad_of(mesh_, f));
+    normal.normalize();
+    const std::size_t n = points.size();
+    const auto is_new = [&](std::size_t i) { return window.parents[i % n] >= 0; };
+    std::vector<double> angles(n);
+    std::vector<int> wanted(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const int v = window.loop[i];
+        if (!is_new(i) && !is_new(i + n - 1)) {
+            const auto old = static_cast<std::size_t>(std::find(window_.loop.begin(), window_.loop.end(), v) -
+                                                      window_.loop.begin());
+            angles[i] = window_.angles[old];
+            wanted[i] = window_.wanted[old];
+            continue;
+        }
+        angles[i] = angle_between(points[(i + n - 1) % n], points[i], points[(i + 1) % n], normal);
+        double all = angles[i];
+        if (v >= 0)
+            for (const int f : mesh_.faces_around(v))
+                if (!patch::contains(window_.faces, f))
+                    for (const patch::Halfedge h : patch::halfedges_of(mesh_, f))
+                        if (patch::from(mesh_, h) == v)
+                            all += patch::corner_angle(mesh_, h) * 180 / std::numbers::pi;
+        wanted[i] = patch::wanted_at(patch::regular_at_boundary(all), window.outside[i], angles[i]);
+    }
+    window.angles = std::move(angles);
+    window.wanted = std::move(wanted);
+}
+
+std::vector<Vector3d> loop_points(const mesh::QuadMesh &mesh, const patch::Window &window) {
+    std::vector<Vector3d> points;
+    auto added = window.added.begin();
+    for (const int v : window.loop)
+        if (v >= 0) {
+            points.push_back(reference::point_of(mesh, v));
+        } else {
+            points.emplace_back((*added)[0], (*added)[1], (*added)[2]);
+            ++added;
+        }
+    return points;
+}
+
+} // namespace alphamst::refill

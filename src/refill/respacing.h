@@ -1,0 +1,66 @@
+// Other vertices on the parts of a window's loop that lie on the boundary of the mesh.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "patch/window.h"
+#include "reference/boundary.h"
+
+namespace alphamst::refill {
+
+class Respacing {
+public:
+    // All of them must outlive it. tolerance: of the distance between curve and edges, in wanted edges.
+    Respacing(const mesh::QuadMesh &mesh, const patch::Window &window, const reference::Boundary &boundary,
+              const reference::EdgeLength &edge_length, double tolerance);
+
+    using Counts = std::vector<int>; // [run] edges
+
+    bool empty() const { return runs_.empty(); }
+    // Those that are there with one edge or two more or less in one run or in two, the loop having an even
+    // number; the best first by what is wanted, and only such as are not far from that, or nearer to it than
+    // what is there.
+    std::vector<Counts> near() const;
+    // What comes nearest to what is wanted; nothing if what is there is about as good.
+    std::optional<Counts> best() const;
+
+    // The window with other vertices where counts differ from those that are there, or everywhere. Nothing
+    // where the curve would be missed, or another part of the boundary met.
+    std::optional<patch::Window> window(const Counts &counts, bool everywhere) const;
+
+private:
+    // A part of the loop between two vertices that stay.
+    struct Run {
+        std::size_t first = 0; // place in the loop
+        int edges = 0;
+        surface::CurvePlace from;
+        double length = 0, wanted = 0;   // wanted: edges
+        std::vector<double> wanted_till; // [sample] edges from the first vertex on
+        double error = 0;                // of what is there
+    };
+    // New vertices of a run, strictly between its ends.
+    using Places = std::vector<surface::CurvePlace>;
+
+    void find_runs();
+    void measure(Run &run) const;
+    double error(const Run &run, int edges) const;
+    double error(const Counts &counts) const;
+    int parity(const Counts &counts) const;
+    std::vector<double> lengths(const Run &run, int edges) const; // from its start to each vertex
+    std::optional<Places> places(const Run &run, int edges) const;
+    bool keeps_curve(surface::CurvePlace from, double length) const;
+    void set_angles(patch::Window &window) const;
+
+    const mesh::QuadMesh &mesh_;
+    const patch::Window &window_;
+    const reference::Boundary &boundary_;
+    const reference::EdgeLength &edge_length_;
+    const double tolerance_;
+    std::vector<Run> runs_;
+};
+
+// Points of the loop of a window, new ones included.
+std::vector<Eigen::Vector3d> loop_points(const mesh::QuadMesh &mesh, const patch::Window &window);
+
+} // namespace alphamst::refill
