@@ -50,7 +50,15 @@ public:
         : mesh_(mesh), patches_(patches), patch_(patch), wanted_(wanted), settings_(settings),
           progress_(progress), random_(settings.seed) {
         if (mesh.field(Entity::vertex, "size") == nullptr) // else that says what is wanted
-            sizes_.emplace(mesh, patches[patch].faces, static_cast<double>(wanted), settings.transition);
+            want_sizes();
+    }
+
+    void want_sizes() {
+        std::optional<reference::Boundary> boundary;
+        if (settings_.edit_boundary)
+            boundary = reference::boundary_of(mesh_, 1);
+        sizes_.emplace(mesh_, patches_[patch_].faces, static_cast<double>(wanted_), settings_.transition,
+                       boundary ? &*boundary : nullptr);
     }
 
     void run() {

@@ -61,6 +61,8 @@ void sort_faces(Patch &patch, Outcome &outcome) {
 PatchReference::PatchReference(mesh::QuadMesh &mesh, const std::vector<Patch> &patches,
                                const Settings &settings, const GoalOf &goal)
     : reference(reference::reference_of(mesh, patches)) {
+    if (settings.edit_boundary)
+        reference.boundary = reference::boundary_of(mesh, 1);
     if (!reference.surface) {
         want_sizes(mesh, faces_wanted(mesh, patches, goal));
         return;

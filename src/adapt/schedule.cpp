@@ -144,10 +144,16 @@ private:
     void respace() {
         if (!settings_.edit_boundary || !sizing_ || reference_.surface)
             return;
-        reference_.edge_length = [this](const Eigen::Vector3d &place) {
-            return std::sqrt(reference_.face_weight) * sizing_->edge_length(place);
+        const double longer =
+            std::sqrt(static_cast<double>(mesh_.n_faces()) / static_cast<double>(sweep_.wanted()));
+        reference_.boundary = reference::boundary_of(mesh_, longer);
+        reference_.edge_length = [this, longer](surface::CurvePlace place) {
+            const Eigen::Vector3d point = reference_.boundary->curves->at(place);
+            const double by_area = std::sqrt(reference_.face_weight) * sizing_->edge_length(point);
+            // Faces at the boundary that are longer than wide stay so.
+            return sizing_->wished() ? by_area
+                                     : std::max(by_area, longer * reference_.boundary->present_length(place));
         };
-        reference_.boundary = reference::boundary_of(mesh_, reference_.edge_length);
         for (const int size : {16, 30, 60, 30}) {
             Pass pass;
             pass.purpose = Purpose::respace;

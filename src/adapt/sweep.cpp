@@ -336,7 +336,8 @@ std::vector<int> Sweep::misspaced() const {
             continue;
         const auto [v, w] = mesh_.edge_vertices(e);
         const Eigen::Vector3d a = reference::point_of(mesh_, v), b = reference::point_of(mesh_, w);
-        if (std::abs(std::log2((b - a).norm() / reference_.edge_length((a + b) / 2))) > uneven)
+        if (std::abs(std::log2((b - a).norm() / reference_.edge_length(reference_.boundary->places[at(v)]))) >
+            uneven)
             vertices.push_back(reference_.boundary->may_go(v) ? v : w);
     }
     return vertices;

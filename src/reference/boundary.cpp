@@ -72,34 +72,71 @@ bool is_corner(const BoundaryCurves &curves, CurvePlace place, const Vector3d &b
     return degrees_between(point - far_before, far_after - point) > left_of_turn * corner_turn;
 }
 
+// Over neighbours, as present sizes of faces are.
+void smooth(std::vector<Boundary::Length> &edges) {
+    constexpr int smoothings = 6;
+    const std::size_t n = edges.size();
+    std::vector<double> logs(n);
+    for (int k = 0; k < smoothings; ++k) {
+        for (std::size_t i = 0; i < n; ++i)
+            logs[i] = (edges[(i + n - 1) % n].log + 2 * edges[i].log + edges[(i + 1) % n].log) / 4;
+        for (std::size_t i = 0; i < n; ++i)
+            edges[i].log = logs[i];
+    }
+}
+
 } // namespace
 
-Boundary boundary_of(const mesh::QuadMesh &mesh, const EdgeLength &edge_length) {
+bool Boundary::may_change(const mesh::QuadMesh &mesh, int v, int w) const {
+    const int edge = mesh.find_edge(v, w);
+    const auto [left, right] = mesh.edge_faces(edge);
+    return (left < 0 || right < 0) && (mesh.edge_flags[at(edge)] & ~mesh::feature) == 0 &&
+           places[at(v)].curve >= 0 && places[at(w)].curve >= 0;
+}
+
+double Boundary::present_length(CurvePlace place) const {
+    const std::vector<Length> &edges = lengths[at(place.curve)];
+    const auto after = std::lower_bound(edges.begin(), edges.end(), place.along,
+                                        [](const Length &edge, double along) { return edge.along < along; });
+    const double round = curves->length(place.curve);
+    const bool first = after == edges.begin(), last = after == edges.end();
+    const Length &before = first ? edges.back() : *(after - 1), &next = last ? edges.front() : *after;
+    const double start = first ? before.along - round : before.along,
+                 end = last ? next.along + round : next.along;
+    const double part = end > start ? (place.along - start) / (end - start) : 0;
+    return std::exp(before.log + part * (next.log - before.log));
+}
+
+Boundary boundary_of(const mesh::QuadMesh &mesh, double longer) {
     Boundary boundary;
     boundary.places.resize(at(mesh.n_vertices()));
     boundary.stays.assign(at(mesh.n_vertices()), 1);
     const std::vector<std::vector<int>> vertices = cycles(mesh);
     std::vector<std::vector<Vector3d>> points;
-    for (const std::vector<int> &cycle : vertices) {
+    for (std::size_t c = 0; c < vertices.size(); ++c) {
         points.emplace_back();
-        for (const int v : cycle)
+        for (const int v : vertices[c])
             points.back().push_back(point_of(mesh, v));
+        std::vector<Boundary::Length> &lengths = boundary.lengths.emplace_back();
+        double along = 0;
+        for (std::size_t i = 0; i < points.back().size(); ++i) {
+            boundary.places[at(vertices[c][i])] = {static_cast<int>(c), along};
+            const double length = (points.back()[(i + 1) % points.back().size()] - points.back()[i]).norm();
+            lengths.push_back({along + length / 2, std::log(std::max(length, 1e-300))});
+            along += length;
+        }
+        smooth(lengths);
     }
     boundary.curves = std::make_shared<const BoundaryCurves>(std::move(points));
-    for (std::size_t c = 0; c < vertices.size(); ++c) {
-        const std::vector<int> &cycle = vertices[c];
-        double along = 0;
+    for (const std::vector<int> &cycle : vertices)
         for (std::size_t i = 0; i < cycle.size(); ++i) {
-            const int v = cycle[i];
-            const Vector3d point = point_of(mesh, v), after = point_of(mesh, cycle[(i + 1) % cycle.size()]),
+            const CurvePlace place = boundary.places[at(cycle[i])];
+            const Vector3d after = point_of(mesh, cycle[(i + 1) % cycle.size()]),
                            before = point_of(mesh, cycle[(i + cycle.size() - 1) % cycle.size()]);
-            const CurvePlace place{static_cast<int>(c), along};
-            boundary.places[at(v)] = place;
-            boundary.stays[at(v)] =
-                is_held(mesh, v) || is_corner(*boundary.curves, place, before, after, edge_length(point));
-            along += (after - point).norm();
+            boundary.stays[at(cycle[i])] =
+                is_held(mesh, cycle[i]) ||
+                is_corner(*boundary.curves, place, before, after, longer * boundary.present_length(place));
         }
-    }
     return boundary;
 }
 

@@ -10,7 +10,7 @@
 
 namespace alphamst::reference {
 
-using EdgeLength = std::function<double(const Eigen::Vector3d &)>; // that is wanted at a place
+using EdgeLength = std::function<double(surface::CurvePlace)>; // that is wanted there
 
 struct Boundary {
     std::shared_ptr<const surface::BoundaryCurves> curves; // the mesh at their left
@@ -20,12 +20,22 @@ struct Boundary {
     // two of the edges that are wanted. All whose place is not known stay, too.
     std::vector<char> stays;
 
+    // What edges had at first around a place, smoothed: one short edge among long ones is an accident.
+    double present_length(surface::CurvePlace place) const;
+    struct Length {
+        double along, log; // from the first point of the curve to the middle of the edge
+    };
+    std::vector<std::vector<Length>> lengths; // [curve][edge], in order
+
+    // Whether an edge between two vertices may become others: it is on a curve and not FIXED.
+    bool may_change(const mesh::QuadMesh &mesh, int v, int w) const;
     bool may_go(int vertex) const {
         const auto v = static_cast<std::size_t>(vertex);
         return places[v].curve >= 0 && stays[v] == 0;
     }
 };
 
-Boundary boundary_of(const mesh::QuadMesh &mesh, const EdgeLength &edge_length);
+// longer: times so much edges are to be as long as they are.
+Boundary boundary_of(const mesh::QuadMesh &mesh, double longer);
 
 } // namespace alphamst::reference

@@ -93,17 +93,17 @@ std::vector<Eigen::Vector3d> points_of(const mesh::QuadMesh &mesh, std::span<con
 } // namespace
 
 RegionSizes::RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions,
-                         double faces, double transition, std::vector<double> areas)
-    : RegionSizes(old, positions, faces, transition, std::move(areas), border_of(old, positions)) {}
+                         double faces, double transition, std::vector<double> areas,
+                         std::span<const char> stays)
+    : RegionSizes(old, positions, faces, transition, std::move(areas), border_of(old, positions, stays)) {}
 
 RegionSizes::RegionSizes(const mesh::QuadMesh &mesh, std::span<const int> region, double faces,
-                         double transition)
+                         double transition, const Boundary *boundary)
     : RegionSizes(filling_of(mesh, region), points_of(mesh, region), faces, transition, {},
-                  border_of(mesh, region)) {}
+                  border_of(mesh, region, boundary)) {}
 
 RegionSizes::RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vector3d> &positions,
-                         double faces, double transition, std::vector<double> areas,
-                         std::vector<Segment> border)
+                         double faces, double transition, std::vector<double> areas, Border border)
     : border_(std::move(border)), faces_(centres(old, positions)) {
     std::vector<double> share; // of the faces, were nothing divided
     for (std::size_t f = 0; f < old.quads.size(); ++f) {
@@ -125,33 +125,44 @@ RegionSizes::RegionSizes(const fill::Filling &old, const std::vector<Eigen::Vect
             sum += share[f] * std::exp(log_factor_ * std::min(1.0, depths[f] / depth_));
         (sum < faces ? low : high) = log_factor_;
     }
-    if (!border_.empty() &&
+    if (border_.any &&
         std::all_of(positions.begin(), positions.end(), [](const Eigen::Vector3d &p) { return p.z() == 0; }))
         make_lattice();
 }
 
-std::vector<RegionSizes::Segment> RegionSizes::border_of(const fill::Filling &old,
-                                                         const std::vector<Eigen::Vector3d> &positions) {
-    std::vector<Segment> border;
+void RegionSizes::Border::add(const Segment &segment, bool stays) {
+    low = any ? low.cwiseMin(segment[0]) : segment[0];
+    high = any ? high.cwiseMax(segment[0]) : segment[0];
+    any = true;
+    if (stays)
+        segments.push_back(segment);
+}
+
+RegionSizes::Border RegionSizes::border_of(const fill::Filling &old,
+                                           const std::vector<Eigen::Vector3d> &positions,
+                                           std::span<const char> stays) {
+    Border border;
     const std::size_t n = alphamst::at(old.boundary);
     for (std::size_t i = 0; i < n; ++i)
-        border.push_back({positions[i], positions[(i + 1) % n]});
+        border.add({positions[i], positions[(i + 1) % n]}, stays.empty() || stays[i] != 0);
     return border;
 }
 
-std::vector<RegionSizes::Segment> RegionSizes::border_of(const mesh::QuadMesh &mesh,
-                                                         std::span<const int> region) {
-    std::vector<Segment> border;
+RegionSizes::Border RegionSizes::border_of(const mesh::QuadMesh &mesh, std::span<const int> region,
+                                           const Boundary *boundary) {
+    Border border;
     for (const patch::Halfedge h : patch::Region(mesh, region).boundary)
-        border.push_back({point_of(mesh, patch::from(mesh, h)), point_of(mesh, patch::to(mesh, h))});
+        border.add({point_of(mesh, patch::from(mesh, h)), point_of(mesh, patch::to(mesh, h))},
+                   boundary == nullptr ||
+                       !boundary->may_change(mesh, patch::from(mesh, h), patch::to(mesh, h)));
     return border;
 }
 
 double RegionSizes::distance(const Eigen::Vector3d &place) const {
-    if (border_.empty()) // of a closed mesh: all of it is far from there
+    if (border_.segments.empty()) // all of it is far from there
         return 1;
     double least = std::numeric_limits<double>::infinity();
-    for (const Segment &segment : border_)
+    for (const Segment &segment : border_.segments)
         least = std::min(least, squared_distance(place, segment[0], segment[1]));
     return std::sqrt(least);
 }
@@ -160,13 +171,12 @@ double RegionSizes::computed(const Eigen::Vector3d &place) const {
     return log_areas_[faces_.nearest(place)] - log_factor_ * std::min(1.0, distance(place) / depth_);
 }
 
+double RegionSizes::part(const Eigen::Vector3d &place) const {
+    return std::exp(-log_factor_ * std::min(1.0, distance(place) / depth_));
+}
+
 void RegionSizes::make_lattice() {
-    Eigen::Vector3d low = border_[0][0], high = low;
-    for (const Segment &segment : border_) {
-        low = low.cwiseMin(segment[0]);
-        high = high.cwiseMax(segment[0]);
-    }
-    const Eigen::Vector3d extent = high - low;
+    const Eigen::Vector3d extent = border_.high - border_.low;
     spacing_ =
         std::sqrt(extent.x() * extent.y() / (points_per_face * static_cast<double>(log_areas_.size())));
     const double points = (extent.x() / spacing_ + 2) * (extent.y() / spacing_ + 2);
@@ -174,10 +184,10 @@ void RegionSizes::make_lattice() {
         return; // nor if it is a line
     columns_ = static_cast<int>(extent.x() / spacing_) + 2;
     rows_ = static_cast<int>(extent.y() / spacing_) + 2;
-    origin_ = low;
+    origin_ = border_.low;
     for (int j = 0; j < rows_; ++j)
         for (int i = 0; i < columns_; ++i)
-            lattice_.push_back(computed(low + spacing_ * Eigen::Vector3d(i, j, 0)));
+            lattice_.push_back(computed(origin_ + spacing_ * Eigen::Vector3d(i, j, 0)));
 }
 
 double RegionSizes::log_at(const Eigen::Vector3d &place) const {

@@ -49,13 +49,11 @@ double least_of(const mesh::QuadMesh &mesh, std::span<const int> faces, Measure 
 }
 
 template <class Measure>
-double least_of(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
-                std::span<const OpenMesh::Vec3d> points, Measure measure) {
+double least_of(geometry::Quads quads, std::span<const OpenMesh::Vec3d> points, Measure measure) {
     const auto quad_at = [&](std::size_t q) {
         geometry::Quad quad;
         for (std::size_t k = 0; k < 4; ++k) {
-            const std::size_t v = at(quads[q][k]);
-            const OpenMesh::Vec3d &p = v < loop.size() ? mesh.point(loop[v]) : points[v - loop.size()];
+            const OpenMesh::Vec3d &p = points[at(quads[q][k])];
             quad[k] = {p[0], p[1], p[2]};
         }
         return quad;
@@ -108,9 +106,8 @@ double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces) {
     return least_of(mesh, faces, scaled_jacobian);
 }
 
-double least_quality(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
-                     std::span<const OpenMesh::Vec3d> points) {
-    return least_of(mesh, loop, quads, points, scaled_jacobian);
+double least_quality(geometry::Quads quads, std::span<const OpenMesh::Vec3d> points) {
+    return least_of(quads, points, scaled_jacobian);
 }
 
 // 0 - x, as -0 is not what no faces have.
@@ -120,9 +117,8 @@ double largest_aspect_ratio(const mesh::QuadMesh &mesh, std::span<const int> fac
     return 0 - least_of(mesh, faces, minus_aspect_ratio);
 }
 
-double largest_aspect_ratio(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
-                            std::span<const OpenMesh::Vec3d> points) {
-    return 0 - least_of(mesh, loop, quads, points, minus_aspect_ratio);
+double largest_aspect_ratio(geometry::Quads quads, std::span<const OpenMesh::Vec3d> points) {
+    return 0 - least_of(quads, points, minus_aspect_ratio);
 }
 
 double time_step(const mesh::QuadMesh &mesh) { return least_of(mesh, area_over_perimeter); }
@@ -131,9 +127,8 @@ double time_step(const mesh::QuadMesh &mesh, std::span<const int> faces) {
     return least_of(mesh, faces, area_over_perimeter);
 }
 
-double time_step(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
-                 std::span<const OpenMesh::Vec3d> points) {
-    return least_of(mesh, loop, quads, points, area_over_perimeter);
+double time_step(geometry::Quads quads, std::span<const OpenMesh::Vec3d> points) {
+    return least_of(quads, points, area_over_perimeter);
 }
 
 double time_step_ratio(double before, double after) { return before == after ? 1 : after / before; }

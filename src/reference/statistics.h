@@ -29,22 +29,19 @@ bool fewest_singular(const std::map<int, std::int64_t> &valences);
 // operation judges shapes by. 0 where there are no faces.
 double least_quality(const mesh::QuadMesh &mesh);
 double least_quality(const mesh::QuadMesh &mesh, std::span<const int> faces);
-// Of quads that may take the place of faces: their vertices are those of the loop, then new ones.
-double least_quality(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
-                     std::span<const OpenMesh::Vec3d> points);
+// Of quads that may take the place of faces.
+double least_quality(geometry::Quads quads, std::span<const OpenMesh::Vec3d> points);
 
 // The largest aspect ratio as quality::measure has it. 0 where there are no faces.
 double largest_aspect_ratio(const mesh::QuadMesh &mesh);
 double largest_aspect_ratio(const mesh::QuadMesh &mesh, std::span<const int> faces);
-double largest_aspect_ratio(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
-                            std::span<const OpenMesh::Vec3d> points);
+double largest_aspect_ratio(geometry::Quads quads, std::span<const OpenMesh::Vec3d> points);
 
 // What an explicit time step may be as long as, but for a factor: the smallest area over perimeter of the
 // faces. 0 where there are no faces.
 double time_step(const mesh::QuadMesh &mesh);
 double time_step(const mesh::QuadMesh &mesh, std::span<const int> faces);
-double time_step(const mesh::QuadMesh &mesh, std::span<const int> loop, geometry::Quads quads,
-                 std::span<const OpenMesh::Vec3d> points);
+double time_step(geometry::Quads quads, std::span<const OpenMesh::Vec3d> points);
 // What an operation made of it; 1 where nothing has changed, be it 0.
 double time_step_ratio(double before, double after);
 

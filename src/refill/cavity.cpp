@@ -55,6 +55,16 @@ Cavity::Cavity(const mesh::QuadMesh &mesh, const Patch &patch, const Goal &goal,
         want_sizes();
 }
 
+double Cavity::wanted_area(const Eigen::Vector3d &place) const {
+    const Eigen::Vector2d p = plane_.to_plane(place);
+    return sizes_->at({p.x(), p.y(), 0});
+}
+
+double Cavity::wanted_part(const Eigen::Vector3d &place) const {
+    const Eigen::Vector2d p = plane_.to_plane(place);
+    return sizes_->part({p.x(), p.y(), 0});
+}
+
 void Cavity::respace(patch::Window respaced) {
     if (curved())
         throw Refusal{Fault::internal, "a curved patch keeps its boundary"};
@@ -63,7 +73,9 @@ void Cavity::respace(patch::Window respaced) {
     old_positions_.clear();
     for (const Eigen::Vector3d &p : loop_points(mesh_, window))
         old_positions_.push_back(plane_.to_plane(p));
-    if (goal_.sizes)
+    if (corners_given_)
+        use_corners(corners_);
+    else if (goal_.sizes)
         keep_angles(goal_.keep_quality ? std::min(0.95, old_quality + 0.01) : std::min(0.3, old_quality));
 }
 
@@ -132,6 +144,7 @@ fill::Request Cavity::request() const {
 
 void Cavity::use_corners(const std::vector<int> &corners) {
     std::fill(window.wanted.begin(), window.wanted.end(), 2);
+    corners_ = corners;
     corners_given_ = true;
     for (const int corner : corners) {
         const auto at = std::find(window.loop.begin(), window.loop.end(), corner);

@@ -97,6 +97,9 @@ public:
     CavityEmbedding start(const PlacedFilling &shape, std::optional<double> size_weight = {}) const;
     CavityEmbedding smooth(const fill::Filling &filling, CavityEmbedding placed) const;
     bool sized() const { return sizes_.has_value(); }
+    // In a flat patch that asks for sizes: the area that is wanted at a place.
+    double wanted_area(const Eigen::Vector3d &place) const;
+    double wanted_part(const Eigen::Vector3d &place) const; // of the area that is there
     bool curved() const { return chart_.has_value(); }
     const reference::Reference &reference() const { return reference_; }
     const surface::Surface &surface() const { return *reference_.surface; }
@@ -173,6 +176,7 @@ private:
         sizes_; // in the plane of a flat patch, in the space of a curved one
     double least_sine_ = 0;
     bool corners_given_ = false;
+    std::vector<int> corners_;           // of the caller
     std::unordered_map<int, int> local_; // vertex of the mesh -> of old
     std::vector<int> regular_;           // letters that the mesh wants, whatever this goal makes of them
 };

@@ -160,7 +160,12 @@ void Cavity::want_sizes() {
             areas.push_back(1 / reference_.sizes->of_face(mesh_, f));
         }
     }
-    sizes_.emplace(old, places, static_cast<double>(goal_.faces), settings_.transition, std::move(areas));
+    std::vector<char> stays;
+    for (std::size_t i = 0; reference_.boundary && !curved() && i < window.loop.size(); ++i)
+        stays.push_back(!reference_.boundary->may_change(mesh_, window.loop[i],
+                                                         window.loop[(i + 1) % window.loop.size()]));
+    sizes_.emplace(old, places, static_cast<double>(goal_.faces), settings_.transition, std::move(areas),
+                   stays);
 }
 
 std::vector<geometry::Quad> Cavity::in_space(const fill::Filling &filling,

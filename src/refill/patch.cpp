@@ -11,6 +11,7 @@
 #include "refill/buffer_ring.h"
 #include "refill/cavity.h"
 #include "refill/choice.h"
+#include "refill/respacing.h"
 
 namespace alphamst::refill {
 namespace {
@@ -61,14 +62,67 @@ void tell_present(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &
 // Faces, shapes and sizes of what comes in the place of the patch.
 void tell_taken(const mesh::QuadMesh &mesh, const Patch &patch, const Replacement &taken,
                 const SizeError &sizes, Outcome &outcome) {
-    const auto &loop = taken.window.loop;
     const auto &quads = taken.filling.quads;
+    std::vector<OpenMesh::Vec3d> points;
+    for (const Eigen::Vector3d &p : loop_points(mesh, taken.window))
+        points.emplace_back(p.x(), p.y(), p.z());
+    points.insert(points.end(), taken.points.begin(), taken.points.end());
     outcome.faces_after = static_cast<std::int64_t>(quads.size());
-    outcome.quality_after = reference::least_quality(mesh, loop, quads, taken.points);
-    outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh, loop, quads, taken.points);
+    outcome.quality_after = reference::least_quality(quads, points);
+    outcome.aspect_ratio_after = reference::largest_aspect_ratio(quads, points);
     reference::tell_sizes_after(sizes, outcome);
     outcome.time_step = reference::time_step_ratio(reference::time_step(mesh, patch.faces),
-                                                   reference::time_step(mesh, loop, quads, taken.points));
+                                                   reference::time_step(quads, points));
+}
+
+// Throws Refusal where there is no filling.
+void fill(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity, const Goal &goal,
+          const Settings &settings, Proposal &proposal) {
+    Outcome &outcome = proposal.outcome;
+    const BufferRing buffer(mesh, cavity, buffer_of(mesh, cavity), true);
+    Evaluator evaluator(mesh, cavity, buffer, settings, proposal.trace);
+    Chosen best = FillingChoice(cavity, evaluator, proposal.trace, goal, settings).run();
+    proposal.unchanged = !best.evaluation;
+    if (proposal.unchanged)
+        return;
+    proposal.replacement = std::move(best.evaluation->replacement);
+    proposal.buffer = buffer.faces();
+    tell_taken(mesh, patch, proposal.replacement, best.evaluation->size_error, outcome);
+    outcome.valences_after = std::move(best.valences);
+    outcome.singular_after = reference::singular(outcome.valences_after);
+    outcome.candidate = best.number;
+}
+
+// With the vertices on the boundary of the mesh that are wanted, or that are nearest to it. False if there is
+// no such filling.
+bool fill_respaced(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity, const Goal &goal,
+                   const Settings &settings, Proposal &proposal) {
+    const auto &boundary = cavity.reference().boundary;
+    if (!boundary || cavity.curved())
+        return false;
+    // Faces at the boundary that are longer than wide stay so.
+    const reference::EdgeLength edge_length = [&](surface::CurvePlace place) {
+        const Eigen::Vector3d point = boundary->curves->at(place);
+        const double by_area = std::sqrt(cavity.wanted_area(point));
+        return cavity.reference().sizes != nullptr
+                   ? by_area
+                   : std::max(by_area,
+                              boundary->present_length(place) * std::sqrt(cavity.wanted_part(point)));
+    };
+    const Respacing respacing(mesh, cavity.window, *boundary, edge_length, settings.tolerance, patch.corners);
+    for (const Respacing::Counts &counts : respacing.towards()) {
+        std::optional<patch::Window> window = respacing.window(counts, true);
+        if (!window)
+            continue;
+        try {
+            Cavity respaced(mesh, patch, goal, settings, cavity.reference());
+            respaced.respace(std::move(*window));
+            fill(mesh, patch, respaced, goal, settings, proposal);
+            return !proposal.unchanged;
+        } catch (const Refusal &) {
+        }
+    }
+    return false;
 }
 
 // nearest: gets other numbers of faces to try where that one cannot be had and others would do.
@@ -85,18 +139,8 @@ Proposal propose_exactly(const mesh::QuadMesh &mesh, const Patch &patch, const G
     try {
         cavity.emplace(mesh, patch, goal, settings, reference);
         tell_present(mesh, patch, *cavity, outcome);
-        const BufferRing buffer(mesh, *cavity, buffer_of(mesh, *cavity), true);
-        Evaluator evaluator(mesh, *cavity, buffer, settings, proposal.trace);
-        Chosen best = FillingChoice(*cavity, evaluator, proposal.trace, goal, settings).run();
-        proposal.unchanged = !best.evaluation;
-        if (proposal.unchanged)
-            return proposal;
-        proposal.replacement = std::move(best.evaluation->replacement);
-        proposal.buffer = buffer.faces();
-        tell_taken(mesh, patch, proposal.replacement, best.evaluation->size_error, outcome);
-        outcome.valences_after = std::move(best.valences);
-        outcome.singular_after = reference::singular(outcome.valences_after);
-        outcome.candidate = best.number;
+        if (!fill_respaced(mesh, patch, *cavity, goal, settings, proposal))
+            fill(mesh, patch, *cavity, goal, settings, proposal);
     } catch (const Refusal &refusal) {
         outcome.fault = refusal.fault;
         outcome.text = refusal.text;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "index.h"
@@ -20,6 +21,8 @@ constexpr int samples_per_edge = 4; // of wanted lengths along a run
 constexpr double small_error = 0.09;
 // Part of the error that is to be left where vertices go elsewhere for the sake of sizes alone.
 constexpr double worthwhile = 0.6;
+// Of the way to the wanted numbers of edges, where all of it would miss the curve or leave no room.
+constexpr double parts_of_way[] = {1, 0.5, 0.25};
 
 // Degrees by which the curve turns at a point at which an edge rather ends, and part of an edge by which that
 // may be moved for it.
@@ -49,27 +52,20 @@ double angle_between(const Vector3d &before, const Vector3d &p, const Vector3d &
 
 Respacing::Respacing(const mesh::QuadMesh &mesh, const patch::Window &window,
                      const reference::Boundary &boundary, const reference::EdgeLength &edge_length,
-                     double tolerance)
+                     double tolerance, std::span<const int> held)
     : mesh_(mesh), window_(window), boundary_(boundary), edge_length_(edge_length), tolerance_(tolerance) {
-    find_runs();
+    find_runs(held);
 }
 
-void Respacing::find_runs() {
+void Respacing::find_runs(std::span<const int> held) {
     const std::size_t n = window_.loop.size();
     const auto vertex = [&](std::size_t i) { return window_.loop[i % n]; };
-    const auto on_curve = [&](std::size_t i) { // the edge from there
-        const auto [left, right] = mesh_.edge_faces(mesh_.find_edge(vertex(i), vertex(i + 1)));
-        return (left < 0 || right < 0) && boundary_.places[at(vertex(i))].curve >= 0 &&
-               boundary_.places[at(vertex(i + 1))].curve >= 0;
-    };
-    const auto goes_on = [&](std::size_t i) { // a run does at the vertex
-        return on_curve(i + n - 1) && on_curve(i) && boundary_.may_go(vertex(i));
-    };
-    std::vector<char> edge(n), through(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        edge[i] = on_curve(i);
-        through[i] = goes_on(i);
-    }
+    std::vector<char> edge(n), through(n); // [loop] the edge from there is in a run; it goes on at the vertex
+    for (std::size_t i = 0; i < n; ++i)
+        edge[i] = boundary_.may_change(mesh_, vertex(i), vertex(i + 1));
+    for (std::size_t i = 0; i < n; ++i)
+        through[i] = edge[(i + n - 1) % n] && edge[i] && boundary_.may_go(vertex(i)) &&
+                     std::ranges::find(held, vertex(i)) == held.end();
     // The loop of a whole closed boundary keeps its first vertex.
     const auto start =
         static_cast<std::size_t>(std::find(through.begin(), through.end(), 0) - through.begin()) % n;
@@ -96,8 +92,7 @@ void Respacing::measure(Run &run) const {
     const int samples = samples_per_edge * std::max(2, run.edges);
     run.wanted_till.push_back(0);
     for (int k = 0; k < samples; ++k) {
-        const Vector3d middle =
-            boundary_.curves->at(boundary_.curves->advance(run.from, run.length * (k + 0.5) / samples));
+        const CurvePlace middle = boundary_.curves->advance(run.from, run.length * (k + 0.5) / samples);
         run.wanted += run.length / samples / edge_length_(middle);
         run.wanted_till.push_back(run.wanted);
     }
@@ -105,7 +100,7 @@ void Respacing::measure(Run &run) const {
     for (std::size_t i = run.first; i < run.first + at(run.edges); ++i) {
         const Vector3d a = reference::point_of(mesh_, window_.loop[i % n]),
                        b = reference::point_of(mesh_, window_.loop[(i + 1) % n]);
-        run.error += squared_log((b - a).norm() / edge_length_((a + b) / 2));
+        run.error += squared_log((b - a).norm() / edge_length_(boundary_.places[at(window_.loop[i % n])]));
     }
 }
 
@@ -160,39 +155,47 @@ std::vector<Respacing::Counts> Respacing::near() const {
     return list;
 }
 
-std::optional<Respacing::Counts> Respacing::best() const {
-    Counts counts;
+std::vector<Respacing::Counts> Respacing::towards() const {
     double before = 0;
-    int edges = 0;
-    for (const Run &run : runs_) {
-        counts.push_back(std::max(1, static_cast<int>(std::lround(run.wanted))));
+    for (const Run &run : runs_)
         before += run.error;
-        edges += counts.back();
-    }
-    if (runs_.empty())
-        return std::nullopt;
-    if (parity(counts) != 0) {
-        double least = 0;
-        std::size_t changed = runs_.size();
-        int by = 0;
+    std::vector<Counts> list;
+    for (const double part : parts_of_way) {
+        Counts counts;
+        int edges = 0;
+        for (const Run &run : runs_) {
+            counts.push_back(
+                std::max(1, static_cast<int>(std::lround(run.edges + part * (run.wanted - run.edges)))));
+            edges += counts.back();
+        }
+        make_even(counts);
+        double after = 0;
         for (std::size_t r = 0; r < runs_.size(); ++r)
-            for (const int more : {-1, 1}) {
-                const double cost =
-                    error(runs_[r], std::max(1, counts[r] + more)) - error(runs_[r], counts[r]);
-                if (counts[r] + more > 0 && (changed == runs_.size() || cost < least)) {
+            after += error(runs_[r], counts[r]);
+        if (before > small_error * edges && after <= worthwhile * before &&
+            (list.empty() || list.back() != counts))
+            list.push_back(std::move(counts));
+    }
+    return list;
+}
+
+// By one edge in the run where that costs least.
+void Respacing::make_even(Counts &counts) const {
+    if (parity(counts) == 0)
+        return;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t changed = 0;
+    int by = 0;
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+        for (const int more : {-1, 1})
+            if (counts[r] + more > 0)
+                if (const double cost = error(runs_[r], counts[r] + more) - error(runs_[r], counts[r]);
+                    cost < least) {
                     least = cost;
                     changed = r;
                     by = more;
                 }
-            }
-        counts[changed] += by;
-    }
-    double after = 0;
-    for (std::size_t r = 0; r < runs_.size(); ++r)
-        after += error(runs_[r], counts[r]);
-    if (before <= small_error * edges || after > worthwhile * before)
-        return std::nullopt;
-    return counts;
+    counts[changed] += by;
 }
 
 bool Respacing::keeps_curve(CurvePlace from, double length) const {
@@ -204,7 +207,7 @@ bool Respacing::keeps_curve(CurvePlace from, double length) const {
     if (missed == 0)
         return true;
     // Two edges that come nearer to each other by less than half of what is between them do not meet.
-    return missed <= tolerance_ * edge_length_((a + b) / 2) &&
+    return missed <= tolerance_ * edge_length_(boundary_.curves->advance(from, length / 2)) &&
            !boundary_.curves->others_near(from, length, 2 * missed);
 }
 

@@ -11,9 +11,10 @@ namespace alphamst::refill {
 
 class Respacing {
 public:
-    // All of them must outlive it. tolerance: of the distance between curve and edges, in wanted edges.
+    // All but the last must outlive it. tolerance: of the distance between curve and edges, in wanted edges.
+    // held: vertices that stay.
     Respacing(const mesh::QuadMesh &mesh, const patch::Window &window, const reference::Boundary &boundary,
-              const reference::EdgeLength &edge_length, double tolerance);
+              const reference::EdgeLength &edge_length, double tolerance, std::span<const int> held = {});
 
     using Counts = std::vector<int>; // [run] edges
 
@@ -22,8 +23,8 @@ public:
     // number; the best first by what is wanted, and only such as are not far from that, or nearer to it than
     // what is there.
     std::vector<Counts> near() const;
-    // What comes nearest to what is wanted; nothing if what is there is about as good.
-    std::optional<Counts> best() const;
+    // What is wanted everywhere, then parts of the way there; only such as are far better than what is there.
+    std::vector<Counts> towards() const;
 
     // The window with other vertices where counts differ from those that are there, or everywhere. Nothing
     // where the curve would be missed, or another part of the boundary met.
@@ -42,11 +43,12 @@ private:
     // New vertices of a run, strictly between its ends.
     using Places = std::vector<surface::CurvePlace>;
 
-    void find_runs();
+    void find_runs(std::span<const int> held);
     void measure(Run &run) const;
     double error(const Run &run, int edges) const;
     double error(const Counts &counts) const;
     int parity(const Counts &counts) const;
+    void make_even(Counts &counts) const;
     std::vector<double> lengths(const Run &run, int edges) const; // from its start to each vertex
     std::optional<Places> places(const Run &run, int edges) const;
     bool keeps_curve(surface::CurvePlace from, double length) const;

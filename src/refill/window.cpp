@@ -144,8 +144,10 @@ struct WindowRefill {
         const Respacing respacing(mesh, cavity.window, *reference.boundary, reference.edge_length,
                                   settings.tolerance);
         if (goal.respace) {
-            const auto counts = respacing.best();
-            return counts ? search_respaced(region, respacing.window(*counts, true), goal) : std::nullopt;
+            for (const Respacing::Counts &counts : respacing.towards())
+                if (auto found = search_respaced(region, respacing.window(counts, true), goal))
+                    return found;
+            return std::nullopt;
         }
         std::optional<Replacement> best = search(cavity, goal);
         Goal better = goal;
