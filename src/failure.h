@@ -22,6 +22,7 @@ enum class Fault {
     no_filling,
     geometry,
     chord,
+    projection,
     stale,
     not_found,
     io,

@@ -90,6 +90,7 @@ enum amst_status_code {
     AMST_ERR_PATCH = -8,        /* patch is not a usable disk, see defects */
     AMST_ERR_NO_FILLING = -17,  /* no filling with the wanted faces was found; patch as before */
     AMST_ERR_GEOMETRY = -18,    /* no filling could be given a valid shape; patch as before */
+    AMST_ERR_PROJECTION = -20,  /* the projection of the boundary failed; mesh as before the call */
     AMST_ERR_CHORD = -19,       /* chord cannot be collapsed or split, see amst_refusal */
     AMST_ERR_NOT_MANIFOLD = -7, /* edge with 3+ faces, or unorientable */
     AMST_ERR_NOT_QUAD = -6,     /* face without 3 or 4 distinct corners */
@@ -218,18 +219,18 @@ enum amst_option {
     AMST_OPT_CANDIDATES = 3,       /* int, 16: fillings to try in a patch before it is left, 1..1000 */
     AMST_OPT_NODE_LIMIT = 4,       /* int, 1000: effort of one exact search, in quads laid, 0..10^9 */
     AMST_OPT_QUADRANGULATE = 5,    /* int, 0: triangles 0 are paired, 1 every face is split */
-    AMST_OPT_EDIT_BOUNDARY = 6,    /* int 0/1, 0: chords that end on the boundary or cross features may go */
+    AMST_OPT_EDIT_BOUNDARY = 6,    /* int 0/1, 0: vertices may come and go on the boundary */
     AMST_OPT_STRATEGY = 7,         /* int, 0: amst_adapt of a whole mesh by windows, 1 by chords alone */
     AMST_OPT_ALIGN = 8,            /* int 0/1, 0: edges of curved meshes follow their cross field */
     AMST_OPT_CHART = 9,            /* int, 0: maps what is curved; 1 mean value, 2 conformal, 3 low stretch */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
-    AMST_OPT_TOLERANCE = 1003,     /* real, 0.5: farthest from the surface, in wanted edges, 0.01..100 */
-    AMST_OPT_EFFORT = 1004,        /* real, 1.0: times as much is spent on better fillings, 0.01..100 */
-    AMST_OPT_SIZE_WEIGHT = 1005,   /* real, 0.7: of wanted sizes against shapes, 0..1 */
-    AMST_OPT_TRANSITION = 1006,    /* real, 0.5: of a patch's depth, over which sizes change, 0.05..1 */
-    AMST_OPT_LEAST_SIZE = 1007,    /* real, 0.125: area over wanted area; no smaller face is made, 0..1 */
+    AMST_OPT_TOLERANCE = 1003, /* real, 0.5: farthest from surface or boundary, in wanted edges, 0.01..100 */
+    AMST_OPT_EFFORT = 1004,    /* real, 1.0: times as much is spent on better fillings, 0.01..100 */
+    AMST_OPT_SIZE_WEIGHT = 1005, /* real, 0.7: of wanted sizes against shapes, 0..1 */
+    AMST_OPT_TRANSITION = 1006,  /* real, 0.5: of a patch's depth, over which sizes change, 0.05..1 */
+    AMST_OPT_LEAST_SIZE = 1007,  /* real, 0.125: area over wanted area; no smaller face is made, 0..1 */
     AMST_OPTION_MAX = 0x7fffffff
 };
 
@@ -303,6 +304,10 @@ typedef struct amst_summary {
 typedef int32_t (*amst_progress_fn)(void *user, double fraction, const char *stage);
 /* message is valid during the call only. */
 typedef void (*amst_log_fn)(void *user, int32_t level, const char *message);
+/* Writes to projected [n][dim] the points of the boundary that belong to points [n][dim], which
+ * are near it; marker [n] of the edge at each. 0: done; else the call under way fails. */
+typedef int32_t (*amst_projection_fn)(void *user, int64_t n, const int32_t *marker, const double *points,
+                                      double *projected);
 
 /* ------------------------------------------------------- library and errors */
 
@@ -522,6 +527,18 @@ AMST_API amst_status amst_mesh_get_alignment(const amst_mesh *mesh, double *mean
 AMST_API amst_status amst_mesh_set_surface(amst_mesh *mesh, const double *points, int64_t n_points,
                                            const int32_t *triangles, int64_t n_triangles);
 
+/* ----------------------------------------------------------------- boundary */
+
+/* The boundary as the caller knows it, for AMST_OPT_EDIT_BOUNDARY; NULL fn: as the edges of the mesh have
+ * it. An operation with that option calls fn once when it begins, for points on edges of the boundary, to
+ * learn where it runs, and once in the end, for new vertices, which come to lie where it says, bit for bit.
+ * It is called on the thread that made the call, may not use the mesh but to ask, and gives equal
+ * results for equal points. The call fails with AMST_ERR_PROJECTION, and nothing has changed, if it returns
+ * non-zero, if a result is not finite or farther off than AMST_OPT_TOLERANCE edges, and if a
+ * new vertex turned a face over there. fn and user must live as long as the mesh and its copies,
+ * or until they are replaced. Not kept in files. Errors: STATE. */
+AMST_API amst_status amst_mesh_set_projection(amst_mesh *mesh, amst_projection_fn fn, void *user);
+
 /* ------------------------------------------------------------------ undoing */
 
 /* Remember the mesh: points, connectivity, flags, fields. Savepoints nest. revision
@@ -666,13 +683,11 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   SIZE_WEIGHT     A R S        A R             A R S C       A R C         S of plane patches of any mesh
  *   TRANSITION      A R          A R             A R C         A R C
  *   LEAST_SIZE      A R          A R             A R C         A R C
- *   TOLERANCE       -            A R             -             A R
- *   CHART           -            A R             -             A R C
- *   ALIGN           -            A R             -             A R
- *   field "cross"   -            A R             -             A R           with ALIGN only
- *   field "size"    A R          A R             A R           A R
- *   STRATEGY        -            -               A             A
- *   EDIT_BOUNDARY   -            -               A             A             in a plane: with STRATEGY 1 only
+ *   TOLERANCE       A R          A R             A R           A R           in a plane: with EDIT_BOUNDARY
+ * only CHART           -            A R             -             A R C ALIGN           -            A R - A
+ * R field "cross"   -            A R             -             A R           with ALIGN only field "size" A R
+ * A R             A R           A R STRATEGY        -            -               A             A
+ *   EDIT_BOUNDARY   A R          -               A R           A
  *
  * Patches on a plane: all are plane, and the mesh has no surface yet. A plane patch on a curved mesh needs no
  * CHART. Whole meshes are filled as patches are where they are small (up to 1,000 faces), where faces would
@@ -700,10 +715,19 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *  STRATEGY  1: whole chords are removed, the shortest first, or split until no other one can go without
  *            passing the number of faces. No vertex becomes singular. Of the other options only SMOOTH_STEPS
  *            and EDIT_BOUNDARY count, and SIZE_WEIGHT in a plane.
- *  EDIT_BOUNDARY  1: chords may take vertices from features and boundary where these turn by less than 30
- *            degrees, as coarse meshes of machine parts may need. 0: features lose and get vertices only
- *            where they are straight. With STRATEGY 0 there are chords only where a curved mesh that is
- *            nearly regular and has no field "size" begins with them.
+ *  EDIT_BOUNDARY  0: the boundary of a plane mesh stays as it is, vertex for vertex. 1: vertices come
+ *            and go on it, where edges would be far from the length that is wanted, and where that saves
+ *            singular vertices: the length of the field "size"; or as long as they were, times the change
+ *            of the faces there (half as long at alpha 4), but no shorter than the faces are wide. New ones
+ *            lie on the boundary as it was when an operation first had this option, or see
+ *            amst_mesh_set_projection, and new edges miss it by TOLERANCE wanted edges at most. These stay:
+ *            vertices with a flag, those where markers change (not the tags of Gmsh's curves in a file
+ * without physical groups), where something ends, and corners, where the boundary turns by more than 60
+ * degrees and does not turn back within two edges. New edges have the marker, the flags and the origin of the
+ * one at their middle. On a curved mesh, and with STRATEGY 1, 1 lets chords take vertices from features and
+ * boundary where these turn by less than 30 degrees, as coarse meshes of machine parts may need; with 0
+ *            features lose and get vertices only where they are straight. With STRATEGY 0 there are chords
+ *            only where a curved mesh that is nearly regular and has no field "size" begins with them.
  * Where a curved mesh cannot have the faces wanted, no more singular vertices are made than there were.
  * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,

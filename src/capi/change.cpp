@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "capi/guard.h"
+#include "index.h"
 #include "reference/statistics.h"
 #include "transfer/carry.h"
 
@@ -119,7 +121,30 @@ Settings Change::settings(const Options &options) {
                 if (context.log != nullptr && level <= context.log_level) // a callback may have changed it
                     context.log(context.log_user, level, (std::string(name_) + ": " + message).c_str());
             }});
+    if (settings.edit_boundary)
+        reference::keep_boundary(*copy_, projection(), settings.tolerance);
     return settings;
+}
+
+// Empty if the caller set none.
+reference::Project Change::projection() const {
+    if (mesh_->projection == nullptr)
+        return {};
+    return [fn = mesh_->projection, user = mesh_->projection_user, dim = at(copy_->dim())](
+               std::span<const std::int32_t> markers, const std::vector<Eigen::Vector3d> &points) {
+        std::vector<double> given, found(dim * points.size(), std::numeric_limits<double>::quiet_NaN());
+        for (const Eigen::Vector3d &p : points)
+            given.insert(given.end(), p.data(), p.data() + dim);
+        if (const std::int32_t status = fn(user, static_cast<std::int64_t>(points.size()), markers.data(),
+                                           given.data(), found.data());
+            status != 0)
+            throw Failure(Fault::projection,
+                          "the projection of the boundary returned " + std::to_string(status));
+        std::vector<Eigen::Vector3d> projected(points.size(), Eigen::Vector3d::Zero());
+        for (std::size_t i = 0; i < projected.size(); ++i)
+            std::copy_n(found.begin() + static_cast<std::ptrdiff_t>(i * dim), dim, projected[i].data());
+        return projected;
+    };
 }
 
 Report Change::report_of(const std::vector<Outcome> &outcomes, bool exact) const {
@@ -208,6 +233,8 @@ void Change::log(const std::vector<Outcome> &outcomes, const std::vector<std::in
 
 amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
                            const std::vector<std::int32_t> &in_use, amst_report **report) {
+    if (const reference::Project project = projection(); project && options_.edit_boundary)
+        reference::project_new_vertices(*copy_, project, settings_of(options_, 1).tolerance);
     transfer::carry(*mesh_->current, *copy_, progress_);
     write_size_errors(outcomes);
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});

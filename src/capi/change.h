@@ -9,6 +9,7 @@
 #include "adapt/adapt.h"
 #include "capi/handles.h"
 #include "capi/options.h"
+#include "reference/projection.h"
 
 namespace alphamst::capi {
 
@@ -20,7 +21,8 @@ public:
 
     mesh::QuadMesh &mesh() { return *copy_; }
     std::vector<Patch> &regions() { return regions_; }
-    // With the threads and the log of the context.
+    // With the threads and the log of the context. Gives the mesh the curves of its boundary, if that may
+    // change.
     Settings settings(const Options &options);
     // The mesh keeps to a surface.
     bool curved() const { return copy_->dim() == 3 && copy_->surface != nullptr; }
@@ -52,6 +54,7 @@ private:
     void record_first_remark(const std::vector<Outcome> &outcomes) const;
     void log(const std::vector<Outcome> &outcomes, const std::vector<std::int32_t> &unused,
              const Report &report) const;
+    reference::Project projection() const;
     void commit() noexcept;
 
     const char *name_;

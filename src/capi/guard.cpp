@@ -105,6 +105,8 @@ amst_status status_of(Fault fault) noexcept {
         return AMST_ERR_GEOMETRY;
     case Fault::chord:
         return AMST_ERR_CHORD;
+    case Fault::projection:
+        return AMST_ERR_PROJECTION;
     case Fault::stale:
         return AMST_ERR_STALE;
     case Fault::not_found:

@@ -48,6 +48,8 @@ struct Mesh {
     std::int64_t revision = 0;
     std::int64_t last_revision = 0; // the largest ever given out
     std::vector<Savepoint> savepoints;
+    amst_projection_fn projection = nullptr; // of the boundary
+    void *projection_user = nullptr;
 
     // The current mesh, to be changed in place: no savepoint shares it afterwards.
     mesh::QuadMesh &writable();

@@ -39,6 +39,7 @@ const char *amst_status_name(amst_status status) {
         return #code;
         NAME(AMST_ERR_INTERNAL)
         NAME(AMST_ERR_GEOMETRY)
+        NAME(AMST_ERR_PROJECTION)
         NAME(AMST_ERR_CHORD)
         NAME(AMST_ERR_NO_FILLING)
         NAME(AMST_ERR_STATE)

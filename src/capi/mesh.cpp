@@ -53,6 +53,8 @@ amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out) {
         auto copy = std::make_shared<Mesh>(from.context, std::make_shared<mesh::QuadMesh>(*from.current));
         copy->revision = from.revision;
         copy->last_revision = from.last_revision;
+        copy->projection = from.projection;
+        copy->projection_user = from.projection_user;
         created = new amst_mesh{std::move(copy)};
     });
 }

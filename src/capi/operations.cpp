@@ -16,18 +16,21 @@ using namespace alphamst::capi;
 
 namespace {
 
-// Options that count wherever fillings are chosen, and those that do in space alone.
-std::vector<std::int32_t> for_fillings(bool curved) {
+// Options that count wherever fillings are chosen, and those that do in space alone, or where the boundary
+// may change.
+std::vector<std::int32_t> for_fillings(bool curved, bool edits_boundary) {
     std::vector<std::int32_t> keys{AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT,  AMST_OPT_MIN_QUALITY,
                                    AMST_OPT_EFFORT,     AMST_OPT_SIZE_WEIGHT, AMST_OPT_TRANSITION,
                                    AMST_OPT_LEAST_SIZE};
     if (curved)
         keys.insert(keys.end(), {AMST_OPT_ALIGN, AMST_OPT_CHART, AMST_OPT_TOLERANCE});
+    else if (edits_boundary)
+        keys.insert(keys.end(), {AMST_OPT_EDIT_BOUNDARY, AMST_OPT_TOLERANCE});
     return keys;
 }
 
-std::vector<std::int32_t> for_whole_mesh(bool curved) {
-    std::vector<std::int32_t> keys = for_fillings(curved);
+std::vector<std::int32_t> for_whole_mesh(bool curved, bool edits_boundary) {
+    std::vector<std::int32_t> keys = for_fillings(curved, edits_boundary);
     keys.push_back(AMST_OPT_STRATEGY);
     if (curved)
         keys.push_back(AMST_OPT_EDIT_BOUNDARY);
@@ -83,9 +86,9 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
         if (by_chords)
             in_use = for_chords(change.mesh());
         else if (patches == nullptr)
-            in_use = for_whole_mesh(change.curved());
+            in_use = for_whole_mesh(change.curved(), settings.edit_boundary);
         else
-            in_use = for_fillings(change.curved());
+            in_use = for_fillings(change.curved(), settings.edit_boundary);
         return change.finish(outcomes, true, in_use, report);
     });
 }
@@ -103,7 +106,7 @@ amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches, co
         else
             outcomes =
                 adapt::reduce_singularities(change.mesh(), change.regions(), settings, change.progress());
-        return change.finish(outcomes, false, for_fillings(change.curved()), report);
+        return change.finish(outcomes, false, for_fillings(change.curved(), settings.edit_boundary), report);
     });
 }
 
@@ -128,7 +131,7 @@ amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report
         Change change("clean", *mesh, nullptr);
         const Settings settings = change.settings(chosen);
         const Outcome outcome = adapt::clean(change.mesh(), settings, change.progress());
-        std::vector<std::int32_t> in_use = for_fillings(false);
+        std::vector<std::int32_t> in_use = for_fillings(false, false);
         if (change.curved())
             in_use.push_back(AMST_OPT_CHART);
         return change.finish({outcome}, false, in_use, report);

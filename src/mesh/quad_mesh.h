@@ -14,6 +14,7 @@
 #include "mesh/field.h"
 
 namespace alphamst::surface {
+class BoundaryCurves;
 class Curves;
 class Surface;
 } // namespace alphamst::surface
@@ -97,6 +98,8 @@ public:
     // What vertices on features slide along, likewise. Brought up to date, see reference::curves_of in
     // reference/surface_of.h, when an operation begins that lets them.
     std::shared_ptr<const surface::Curves> curves;
+    // What vertices of the boundary come and go on, likewise, see reference/projection.h.
+    std::shared_ptr<const surface::BoundaryCurves> boundary;
 
     // Where each vertex, edge and face was when origins were last reset; -1 if new.
     std::vector<std::int32_t> vertex_origin, edge_origin, face_origin;

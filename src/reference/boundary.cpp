@@ -17,27 +17,11 @@ using surface::CurvePlace;
 using surface::degrees_between;
 
 constexpr double corner_turn = 60; // degrees
+constexpr double at_corner = 0.03; // of an edge, where a curve may bend slowly within it
+// Of the length of a curve, how far off vertices are that lie on it.
+constexpr double rounding_of_curves = 1e-9;
 // Away from the corner by so many edges that are wanted, that part of the turn is left, or it is none.
 constexpr double reach_of_corner = 2, left_of_turn = 0.75;
-
-// [curve][vertex], the mesh at their left.
-std::vector<std::vector<int>> cycles(const mesh::QuadMesh &mesh) {
-    const mesh::Kernel &kernel = mesh.kernel();
-    std::vector<char> seen(kernel.n_halfedges(), 0);
-    std::vector<std::vector<int>> all;
-    for (std::size_t i = 0; i < kernel.n_halfedges(); ++i) {
-        patch::Halfedge h(static_cast<int>(i));
-        if (seen[i] || !kernel.is_boundary(h))
-            continue;
-        std::vector<int> &cycle = all.emplace_back();
-        for (; !seen[at(h.idx())]; h = kernel.next_halfedge_handle(h)) {
-            seen[at(h.idx())] = 1;
-            cycle.push_back(patch::from(mesh, h));
-        }
-        std::reverse(cycle.begin(), cycle.end());
-    }
-    return all;
-}
 
 // Something ends at the vertex, changes there along the boundary, or holds it.
 bool is_held(const mesh::QuadMesh &mesh, int v) {
@@ -61,15 +45,16 @@ bool is_held(const mesh::QuadMesh &mesh, int v) {
     return std::any_of(faces.begin(), faces.end(), [&](int f) { return mesh.face_flags[at(f)] != 0; });
 }
 
-bool is_corner(const BoundaryCurves &curves, CurvePlace place, const Vector3d &before, const Vector3d &after,
-               double edge_length) {
+bool is_corner(const BoundaryCurves &curves, CurvePlace place, double edge_length) {
     const Vector3d point = curves.at(place);
-    if (degrees_between(point - before, after - point) <= corner_turn)
-        return false;
-    const double reach = std::min(reach_of_corner * edge_length, curves.length(place.curve) / 4);
-    const Vector3d far_before = curves.at(curves.advance(place, curves.length(place.curve) - reach)),
-                   far_after = curves.at(curves.advance(place, reach));
-    return degrees_between(point - far_before, far_after - point) > left_of_turn * corner_turn;
+    const double round = curves.length(place.curve);
+    const auto turn = [&](double reach) {
+        const Vector3d before = curves.at(curves.advance(place, round - reach)),
+                       after = curves.at(curves.advance(place, reach));
+        return degrees_between(point - before, after - point);
+    };
+    return turn(std::min(at_corner * edge_length, round / 4)) > corner_turn &&
+           turn(std::min(reach_of_corner * edge_length, round / 4)) > left_of_turn * corner_turn;
 }
 
 // Over neighbours, as present sizes of faces are.
@@ -86,6 +71,24 @@ void smooth(std::vector<Boundary::Length> &edges) {
 }
 
 } // namespace
+
+std::vector<std::vector<int>> boundary_cycles(const mesh::QuadMesh &mesh) {
+    const mesh::Kernel &kernel = mesh.kernel();
+    std::vector<char> seen(kernel.n_halfedges(), 0);
+    std::vector<std::vector<int>> all;
+    for (std::size_t i = 0; i < kernel.n_halfedges(); ++i) {
+        patch::Halfedge h(static_cast<int>(i));
+        if (seen[i] || !kernel.is_boundary(h))
+            continue;
+        std::vector<int> &cycle = all.emplace_back();
+        for (; !seen[at(h.idx())]; h = kernel.next_halfedge_handle(h)) {
+            seen[at(h.idx())] = 1;
+            cycle.push_back(patch::from(mesh, h));
+        }
+        std::reverse(cycle.begin(), cycle.end());
+    }
+    return all;
+}
 
 bool Boundary::may_change(const mesh::QuadMesh &mesh, int v, int w) const {
     const int edge = mesh.find_edge(v, w);
@@ -107,37 +110,86 @@ double Boundary::present_length(CurvePlace place) const {
     return std::exp(before.log + part * (next.log - before.log));
 }
 
+namespace {
+
+// The places of the vertices of a cycle on curves that are there; false if they are not all on one, in order.
+bool find_places(const mesh::QuadMesh &mesh, const BoundaryCurves &curves, const std::vector<int> &cycle,
+                 std::vector<CurvePlace> &places) {
+    double way = 0;
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+        const Vector3d point = point_of(mesh, cycle[i]);
+        CurvePlace &place = places[at(cycle[i])];
+        place = curves.find(point, rounding_of_curves * curves.extent());
+        if (place.curve < 0)
+            return false;
+        if (i == 0)
+            continue;
+        const CurvePlace before = places[at(cycle[i - 1])];
+        if (before.curve != place.curve)
+            return false;
+        way += curves.way(before, place);
+    }
+    const double round = curves.length(places[at(cycle[0])].curve);
+    return way + curves.way(places[at(cycle.back())], places[at(cycle[0])]) < 1.5 * round;
+}
+
+std::vector<Boundary::Length> lengths_of(const mesh::QuadMesh &mesh, const BoundaryCurves &curves,
+                                         const std::vector<int> &cycle,
+                                         const std::vector<CurvePlace> &places) {
+    std::vector<Boundary::Length> lengths;
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+        const int v = cycle[i], w = cycle[(i + 1) % cycle.size()];
+        const CurvePlace place = places[at(v)];
+        const double length = (point_of(mesh, w) - point_of(mesh, v)).norm();
+        lengths.push_back({curves.advance(place, curves.way(place, places[at(w)]) / 2).along,
+                           std::log(std::max(length, 1e-300))});
+    }
+    smooth(lengths);
+    std::ranges::rotate(lengths, std::ranges::min_element(lengths, {}, &Boundary::Length::along));
+    return lengths;
+}
+
+} // namespace
+
+std::shared_ptr<const BoundaryCurves> curves_of_boundary(const mesh::QuadMesh &mesh) {
+    std::vector<std::vector<Vector3d>> points;
+    for (const std::vector<int> &cycle : boundary_cycles(mesh)) {
+        points.emplace_back();
+        for (const int v : cycle)
+            points.back().push_back(point_of(mesh, v));
+    }
+    return std::make_shared<const BoundaryCurves>(std::move(points));
+}
+
 Boundary boundary_of(const mesh::QuadMesh &mesh, double longer) {
     Boundary boundary;
+    boundary.curves = mesh.boundary ? mesh.boundary : curves_of_boundary(mesh);
+    const BoundaryCurves &curves = *boundary.curves;
     boundary.places.resize(at(mesh.n_vertices()));
     boundary.stays.assign(at(mesh.n_vertices()), 1);
-    const std::vector<std::vector<int>> vertices = cycles(mesh);
-    std::vector<std::vector<Vector3d>> points;
-    for (std::size_t c = 0; c < vertices.size(); ++c) {
-        points.emplace_back();
-        for (const int v : vertices[c])
-            points.back().push_back(point_of(mesh, v));
-        std::vector<Boundary::Length> &lengths = boundary.lengths.emplace_back();
-        double along = 0;
-        for (std::size_t i = 0; i < points.back().size(); ++i) {
-            boundary.places[at(vertices[c][i])] = {static_cast<int>(c), along};
-            const double length = (points.back()[(i + 1) % points.back().size()] - points.back()[i]).norm();
-            lengths.push_back({along + length / 2, std::log(std::max(length, 1e-300))});
-            along += length;
+    boundary.lengths.resize(at(curves.count()));
+    for (const std::vector<int> &cycle : boundary_cycles(mesh)) {
+        if (!find_places(mesh, curves, cycle, boundary.places)) {
+            for (const int v : cycle)
+                boundary.places[at(v)] = {};
+            continue;
         }
-        smooth(lengths);
+        boundary.lengths[at(boundary.places[at(cycle[0])].curve)] =
+            lengths_of(mesh, curves, cycle, boundary.places);
+        for (const int v : cycle) {
+            const CurvePlace place = boundary.places[at(v)];
+            boundary.stays[at(v)] =
+                is_held(mesh, v) || is_corner(curves, place, longer * boundary.present_length(place));
+        }
     }
-    boundary.curves = std::make_shared<const BoundaryCurves>(std::move(points));
-    for (const std::vector<int> &cycle : vertices)
-        for (std::size_t i = 0; i < cycle.size(); ++i) {
-            const CurvePlace place = boundary.places[at(cycle[i])];
-            const Vector3d after = point_of(mesh, cycle[(i + 1) % cycle.size()]),
-                           before = point_of(mesh, cycle[(i + cycle.size() - 1) % cycle.size()]);
-            boundary.stays[at(cycle[i])] =
-                is_held(mesh, cycle[i]) ||
-                is_corner(*boundary.curves, place, before, after, longer * boundary.present_length(place));
-        }
     return boundary;
+}
+
+bool is_on(const mesh::QuadMesh &mesh, const BoundaryCurves &curves) {
+    std::vector<CurvePlace> places(at(mesh.n_vertices()));
+    return std::ranges::all_of(boundary_cycles(mesh), [&](const std::vector<int> &cycle) {
+        return find_places(mesh, curves, cycle, places);
+    });
 }
 
 } // namespace alphamst::reference

@@ -35,7 +35,15 @@ struct Boundary {
     }
 };
 
-// longer: times so much edges are to be as long as they are.
+// [curve][vertex], the mesh at their left.
+std::vector<std::vector<int>> boundary_cycles(const mesh::QuadMesh &mesh);
+// The curves that the boundary runs along as it is.
+std::shared_ptr<const surface::BoundaryCurves> curves_of_boundary(const mesh::QuadMesh &mesh);
+// All vertices of the boundary are on the curves, in order.
+bool is_on(const mesh::QuadMesh &mesh, const surface::BoundaryCurves &curves);
+
+// On the curves that the mesh keeps to, or on those of its boundary as it is. longer: times so much edges are
+// to be as long as they are.
 Boundary boundary_of(const mesh::QuadMesh &mesh, double longer);
 
 } // namespace alphamst::reference

@@ -88,7 +88,7 @@ public:
     std::vector<double> areas(const fill::Filling &filling,
                               const geometry::SurfacePositions &on_surface) const;
     SizeError size_error(const fill::Filling &filling, const CavityEmbedding &embedding) const;
-    SizeError old_size_error() const;
+    const SizeError &old_size_error() const { return old_size_error_; }
     double old_alignment_error() const; // 0 where there is no cross field
     // Where the goal asks for sizes, these count so much against shapes, in 0 .. 1.
     CavityEmbedding embed(const PlacedFilling &shape, std::optional<double> size_weight = {}) const;
@@ -174,6 +174,7 @@ private:
     geometry::Points old_positions_; // loop, then interior, in the plane or the chart
     std::optional<reference::RegionSizes>
         sizes_; // in the plane of a flat patch, in the space of a curved one
+    SizeError old_size_error_;
     double least_sine_ = 0;
     bool corners_given_ = false;
     std::vector<int> corners_;           // of the caller

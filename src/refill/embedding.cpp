@@ -166,6 +166,8 @@ void Cavity::want_sizes() {
                                                          window.loop[(i + 1) % window.loop.size()]));
     sizes_.emplace(old, places, static_cast<double>(goal_.faces), settings_.transition, std::move(areas),
                    stays);
+    old_size_error_ =
+        sizes_->error(curved() ? quads_of(old, old_on_surface_.points) : in_space(old, old_positions_));
 }
 
 std::vector<geometry::Quad> Cavity::in_space(const fill::Filling &filling,
@@ -218,10 +220,6 @@ SizeError Cavity::size_error(const fill::Filling &filling, const CavityEmbedding
     if (!curved())
         return sizes_->error(in_space(filling, embedding.flat));
     return sizes_->error(quads_of(filling, embedding.on_surface.points));
-}
-
-SizeError Cavity::old_size_error() const {
-    return sizes_->error(curved() ? quads_of(old, old_on_surface_.points) : in_space(old, old_positions_));
 }
 
 } // namespace alphamst::refill

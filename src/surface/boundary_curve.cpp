@@ -57,6 +57,7 @@ BoundaryCurves::BoundaryCurves(std::vector<std::vector<Vector3d>> curves) {
         }
         curve.lengths.push_back(length);
         curve.points = std::move(points);
+        extent_ = std::max(extent_, length);
     }
     tree_.reset(new Tree{BoxTree(entries), std::move(segments)});
 }

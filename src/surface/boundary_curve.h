@@ -27,6 +27,7 @@ public:
 
     int count() const { return static_cast<int>(curves_.size()); }
     double length(int curve) const;
+    double extent() const { return extent_; } // the longest of them
     Eigen::Vector3d at(CurvePlace place) const;
     // The place of a point on a curve; none if it is farther from all of them than the tolerance, or as near
     // to some other part.
@@ -56,6 +57,7 @@ private:
     std::size_t segment(CurvePlace place) const;
 
     std::vector<Curve> curves_;
+    double extent_ = 0;
     std::unique_ptr<const Tree> tree_;
 };
 
