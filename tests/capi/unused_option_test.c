@@ -86,7 +86,7 @@ static void what_cannot_apply_is_told(void **state) {
                 int in_use;
             } cases[] = {{AMST_OPT_CANDIDATES, 1},
                          {AMST_OPT_NODE_LIMIT, 1},
-                         {AMST_OPT_EDIT_BOUNDARY, whole && curved},
+                         {AMST_OPT_EDIT_BOUNDARY, whole || !curved},
                          {AMST_OPT_ALIGN, curved},
                          {AMST_OPT_CHART, curved},
                          {AMST_OPT_TOLERANCE, curved},
