@@ -24,8 +24,8 @@ io::Arrays all_quad(io::Arrays arrays, quadrangulate::Quadrangulation how) {
     std::vector<std::array<std::int32_t, 2>> curves;
     for (const auto &[vertices, marker] : arrays.marked_edges)
         curves.push_back(vertices);
-    quadrangulate::QuadArrays quads =
-        quadrangulate::quadrangulate({arrays.points, arrays.faces, arrays.face_marker, curves}, how);
+    quadrangulate::QuadArrays quads = quadrangulate::quadrangulate(
+        {arrays.points, arrays.faces, arrays.face_marker, curves}, how, {.sharp_angle = 40});
     io::Arrays result;
     result.dim = arrays.dim;
     if (!arrays.face_marker.empty())

@@ -79,7 +79,8 @@ mesh::QuadMesh build(int dim, std::span<const double> points, std::span<const st
                      quadrangulate::Quadrangulation how) {
     if (!mesh::any_triangle(faces))
         return mesh::QuadMesh::build(dim, points, faces);
-    const quadrangulate::QuadArrays quads = quadrangulate::quadrangulate({points, faces, {}, {}}, how);
+    const quadrangulate::QuadArrays quads =
+        quadrangulate::quadrangulate({points, faces, {}, {}}, how, {.sharp_angle = 40});
     return mesh::QuadMesh::build(dim, quads.points, quads.faces);
 }
 
