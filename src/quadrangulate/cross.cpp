@@ -45,8 +45,8 @@ std::optional<Cross> cross_around(const Surroundings &mesh, std::int32_t corner)
                    cross.corners[k]) < flat)
             return std::nullopt;
     const auto least = std::ranges::min_element(cross.faces) - cross.faces.begin();
-    std::ranges::rotate(cross.faces, cross.faces.begin() + least);
-    std::ranges::rotate(cross.corners, cross.corners.begin() + least);
+    std::rotate(cross.faces.begin(), cross.faces.begin() + least, cross.faces.end());
+    std::rotate(cross.corners.begin(), cross.corners.begin() + least, cross.corners.end());
     return cross;
 }
 

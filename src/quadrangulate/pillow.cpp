@@ -79,7 +79,7 @@ void pillow(QuadArrays &quads, const std::vector<bool> &fixed) {
         const auto worst = static_cast<std::size_t>(std::ranges::min_element(sine) - sine.begin());
         if (sine[worst] >= flattest || !fixed[at(corners[worst])])
             continue;
-        std::ranges::rotate(corners, corners.begin() + static_cast<std::ptrdiff_t>(worst));
+        std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(worst), corners.end());
         Points points;
         for (std::size_t k = 0; k < 4; ++k)
             for (unsigned i = 0; i < 3; ++i)

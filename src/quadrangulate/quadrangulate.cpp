@@ -195,7 +195,8 @@ void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, const Pair
         recut(quads, {polygons.points, polygons.faces, polygons.face_marker, barred}, flat,
               vertices_on(quads, boundary));
     barred.insert(barred.end(), boundary.begin(), boundary.end());
-    pillow(quads, vertices_on(quads, barred));
+    if (!barred.empty())
+        pillow(quads, vertices_on(quads, barred));
 }
 
 } // namespace
