@@ -154,7 +154,10 @@ void pair_through_quads(const Polygons &polygons, const PairingRules &rules, Pai
     constexpr int layers = 3; // about as far as a path goes that turns around a vertex
     const std::vector<std::int32_t> across = best.sides.across;
     std::vector<std::int8_t> diagonals = parallel_diagonals(polygons.faces, across);
-    for (std::size_t trial = 0; trial < trials && !best.pairing.poor.empty(); ++trial) {
+    constexpr int most_in_vain = 4; // then what is poor is so however quads are cut
+    int in_vain = 0;
+    for (std::size_t trial = 0; trial < trials && in_vain < most_in_vain && !best.pairing.poor.empty();
+         ++trial) {
         Paired next;
         next.cut = cut_quads(polygons.points, polygons.faces, diagonals);
         const Cut &cut = next.cut;
@@ -167,7 +170,9 @@ void pair_through_quads(const Polygons &polygons, const PairingRules &rules, Pai
         for (const std::int32_t face : next.pairing.poor)
             poor.push_back(cut.origin[at(face)]);
         draw_diagonals(polygons.faces, across, poor, layers, trial, diagonals);
-        if (next.pairing.poor.size() < best.pairing.poor.size())
+        const bool is_better = next.pairing.poor.size() < best.pairing.poor.size();
+        in_vain = is_better ? 0 : in_vain + 1;
+        if (is_better)
             best = std::move(next);
     }
 }
