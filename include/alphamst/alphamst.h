@@ -223,14 +223,16 @@ enum amst_option {
     AMST_OPT_STRATEGY = 7,         /* int, 0: amst_adapt of a whole mesh by windows, 1 by chords alone */
     AMST_OPT_ALIGN = 8,            /* int 0/1, 0: edges of curved meshes follow their cross field */
     AMST_OPT_CHART = 9,            /* int, 0: maps what is curved; 1 mean value, 2 conformal, 3 low stretch */
+    AMST_OPT_KEEP_BOUNDARY = 10,   /* int 0/1, 0: new meshes get no vertex on the boundary, or fail */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
-    AMST_OPT_TOLERANCE = 1003, /* real, 0.5: farthest from surface or boundary, in wanted edges, 0.01..100 */
-    AMST_OPT_EFFORT = 1004,    /* real, 1.0: times as much is spent on better fillings, 0.01..100 */
-    AMST_OPT_SIZE_WEIGHT = 1005, /* real, 0.7: of wanted sizes against shapes, 0..1 */
-    AMST_OPT_TRANSITION = 1006,  /* real, 0.5: of a patch's depth, over which sizes change, 0.05..1 */
-    AMST_OPT_LEAST_SIZE = 1007,  /* real, 0.125: area over wanted area; no smaller face is made, 0..1 */
+    AMST_OPT_TOLERANCE = 1003,     /* real, 0.5: farthest from surface, boundary, in wanted edges, .01..100 */
+    AMST_OPT_EFFORT = 1004,        /* real, 1.0: times as much is spent on better fillings, 0.01..100 */
+    AMST_OPT_SIZE_WEIGHT = 1005,   /* real, 0.7: of wanted sizes against shapes, 0..1 */
+    AMST_OPT_TRANSITION = 1006,    /* real, 0.5: of a patch's depth, over which sizes change, 0.05..1 */
+    AMST_OPT_LEAST_SIZE = 1007,    /* real, 0.125: area over wanted area; no smaller face is made, 0..1 */
+    AMST_OPT_SHARP_ANGLE = 1008,   /* real, 40.0: degrees; no pair of triangles over a sharper edge, 0..180 */
     AMST_OPTION_MAX = 0x7fffffff
 };
 
@@ -278,7 +280,8 @@ enum amst_log_level {
     AMST_LOG_OFF = -1,
     AMST_LOG_ERROR = 0,
     AMST_LOG_WARNING = 1, /* patches that were left or missed their count, and why; options
-                             without effect */
+                             without effect; sharp edges within quads of new meshes, and their
+                             boundary edges that got a vertex */
     AMST_LOG_INFO = 2,    /* one line a stage, and what the operation came to */
     AMST_LOG_DEBUG = 3,   /* one line a cavity (patch or window): where, how large, how many candidates, why
                              those that were refused were, what was taken */
@@ -368,16 +371,21 @@ AMST_API amst_status amst_options_get_real(const amst_options *options, int32_t 
  * last corner makes a triangle. At least one face, at most 2^28 - 1. Unreferenced vertices
  * stay. If there are triangles, faces become quads as AMST_OPT_QUADRANGULATE says; all
  * given vertices keep their ids and coordinates, new ones come behind them:
- *  0  Triangles are merged in pairs along a common side, by quality. None is left over on
- *     a closed surface of triangles without regions. Elsewhere one may be, as when their
- *     number is odd: a new vertex at the midpoint of a side on the boundary, or on the border
- *     of a region, makes a quad of it, which can have a corner of 180 degrees there. Among
- *     quads, a row of them from one such triangle to the next or to the boundary is split.
- *     A component of one triangle is split as by 1.
+ *  0  Triangles are merged in pairs along a common side, by quality: no quad is concave or flat where
+ *     another pairing has none nearby. Pairs do not cross edges whose faces have normals more than
+ *     AMST_OPT_SHARP_ANGLE apart, unless a flat side between such edges has an odd number of
+ *     triangles; AMST_LOG_WARNING says which. Nothing is sharp in a plane (equal z), nor on rough
+ *     surfaces, such as scans, where angles beyond are as common as those below. Four triangles that
+ *     are a flat square become one quad; their vertex stays, without faces. The boundary stays where
+ *     a component has an even number of triangles; else a side on it gets a vertex at its midpoint,
+ *     which AMST_OPT_KEEP_BOUNDARY forbids. Triangles that are left over are brought together: quads
+ *     between them are paired anew, or split in a row. A quad that is flat at a vertex on the
+ *     boundary, a sharp edge or the border of a region becomes five. One triangle on its own is split
+ *     as by 1, and so is a closed surface where nothing can be paired, such as a tetrahedron.
  *  1  Every edge gets a vertex at its midpoint and every face one inside: three quads of
  *     a triangle, four of a quad.
- * Errors: ARGUMENT (dim, stride, corners_per_face), RANGE (corner id, count),
- * NOT_FINITE, NOT_QUAD, NOT_MANIFOLD; ids in their sentences are those given. */
+ * Errors: ARGUMENT (dim, stride, corners_per_face; a boundary that cannot be kept), RANGE (corner
+ * id, count), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD; ids in their sentences are those given. */
 AMST_API amst_status amst_mesh_create(amst_context *ctx, int32_t dim, const double *coords,
                                       int64_t n_vertices, int64_t vertex_stride, int64_t component_stride,
                                       const int32_t *faces, int64_t n_faces, int64_t face_stride,

@@ -8,24 +8,24 @@
 #include "capi/handles.h"
 #include "capi/limits.h"
 #include "capi/options.h"
+#include "capi/triangles.h"
 #include "draw/svg.h"
 #include "io/arrays.h"
 #include "io/scanner.h"
 #include "patch/window.h"
-#include "quadrangulate/quadrangulate.h"
 
 namespace alphamst::capi {
 namespace {
 
 // Without triangles.
-io::Arrays all_quad(io::Arrays arrays, quadrangulate::Quadrangulation how) {
+io::Arrays all_quad(const Context &context, io::Arrays arrays, const Options &options) {
     if (!mesh::any_triangle(arrays.faces))
         return arrays;
     std::vector<std::array<std::int32_t, 2>> curves;
     for (const auto &[vertices, marker] : arrays.marked_edges)
         curves.push_back(vertices);
-    quadrangulate::QuadArrays quads =
-        quadrangulate::quadrangulate({arrays.points, arrays.faces, arrays.face_marker, curves}, how);
+    quadrangulate::QuadArrays quads = quads_of(
+        context, "amst_mesh_read", {arrays.points, arrays.faces, arrays.face_marker, curves}, options);
     io::Arrays result;
     result.dim = arrays.dim;
     result.curve_numbers = arrays.curve_numbers;
@@ -134,7 +134,7 @@ amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_optio
         required(path, "path");
         amst_mesh *&created = required(out, "out");
         std::shared_ptr<mesh::QuadMesh> mesh(
-            new mesh::QuadMesh(mesh_of(all_quad(io::read(path), options_of(options).quadrangulate))));
+            new mesh::QuadMesh(mesh_of(all_quad(*context, io::read(path), options_of(options)))));
         created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
     });
 }

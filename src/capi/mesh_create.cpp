@@ -7,7 +7,7 @@
 #include "capi/handles.h"
 #include "capi/limits.h"
 #include "capi/options.h"
-#include "quadrangulate/quadrangulate.h"
+#include "capi/triangles.h"
 
 namespace alphamst::capi {
 namespace {
@@ -75,11 +75,12 @@ std::span<const std::int32_t> faces_of(const Strided<Id> &corners, int index_bas
     return kept;
 }
 
-mesh::QuadMesh build(int dim, std::span<const double> points, std::span<const std::int32_t> faces,
-                     quadrangulate::Quadrangulation how) {
+mesh::QuadMesh build(const Context &context, int dim, std::span<const double> points,
+                     std::span<const std::int32_t> faces, const Options &options) {
     if (!mesh::any_triangle(faces))
         return mesh::QuadMesh::build(dim, points, faces);
-    const quadrangulate::QuadArrays quads = quadrangulate::quadrangulate({points, faces, {}, {}}, how);
+    const quadrangulate::QuadArrays quads =
+        quads_of(context, "amst_mesh_create", {points, faces, {}, {}}, options);
     return mesh::QuadMesh::build(dim, quads.points, quads.faces);
 }
 
@@ -105,9 +106,9 @@ void create(amst_context *ctx, std::int32_t dim, const double *coords, std::int6
     std::vector<double> kept_points;
     std::vector<std::int32_t> kept_faces;
     // Built in place: the kernel has no move constructor.
-    std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(build(
-        dim, points_of(points, kept_points), faces_of(corners, context->index_base, n_vertices, kept_faces),
-        options_of(options).quadrangulate)));
+    std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(
+        build(*context, dim, points_of(points, kept_points),
+              faces_of(corners, context->index_base, n_vertices, kept_faces), options_of(options))));
     created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
 }
 

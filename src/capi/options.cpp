@@ -59,6 +59,7 @@ constexpr Knob<std::int64_t> integers[] = {
     integer<&Options::by_chords>(AMST_OPT_STRATEGY, "AMST_OPT_STRATEGY", 0, 1),
     integer<&Options::align>(AMST_OPT_ALIGN, "AMST_OPT_ALIGN", 0, 1),
     integer<&Options::chart>(AMST_OPT_CHART, "AMST_OPT_CHART", 0, 3),
+    integer<&Options::keep_boundary>(AMST_OPT_KEEP_BOUNDARY, "AMST_OPT_KEEP_BOUNDARY", 0, 1),
 };
 
 constexpr Knob<double> reals[] = {
@@ -70,6 +71,7 @@ constexpr Knob<double> reals[] = {
     real<&Options::size_weight>(AMST_OPT_SIZE_WEIGHT, "AMST_OPT_SIZE_WEIGHT", 0, 1),
     real<&Options::transition>(AMST_OPT_TRANSITION, "AMST_OPT_TRANSITION", 0.05, 1),
     real<&Options::least_size>(AMST_OPT_LEAST_SIZE, "AMST_OPT_LEAST_SIZE", 0, 1),
+    real<&Options::sharp_angle>(AMST_OPT_SHARP_ANGLE, "AMST_OPT_SHARP_ANGLE", 0, 180),
 };
 
 static_assert(static_cast<int>(quadrangulate::Quadrangulation::pair) == 0 &&

@@ -16,6 +16,8 @@ namespace alphamst::capi {
 struct Options : Settings {
     bool repair_patches = true;
     quadrangulate::Quadrangulation quadrangulate = quadrangulate::Quadrangulation::pair;
+    double sharp_angle = 40; // beyond which triangles are not paired
+    bool keep_boundary = false;
     bool by_chords = false; // how whole meshes are adapted
     double min_convexity = 0.6;
     double patch_faces = 100;

@@ -33,6 +33,19 @@ inline void add_face(QuadArrays &quads, std::int32_t origin, const std::array<st
     quads.origin.push_back(origin);
 }
 
+// Three quads of a triangle, four of a quad; midpoint(c) is that of the side at corner c.
+template <class Midpoint>
+void split_face(QuadArrays &quads, mesh::Faces faces, std::size_t face, std::int32_t origin,
+                Midpoint midpoint) {
+    const std::size_t n = mesh::is_triangle(faces, face) ? 3 : 4, first = 4 * face;
+    const std::int32_t centre =
+        n == 3 ? append_vertex(quads, {faces[first], faces[first + 1], faces[first + 2]})
+               : append_vertex(quads, {faces[first], faces[first + 1], faces[first + 2], faces[first + 3]});
+    for (std::size_t k = 0; k < n; ++k)
+        add_face(quads, origin,
+                 {faces[first + k], midpoint(first + k), centre, midpoint(first + (k + n - 1) % n)});
+}
+
 // The corner across the edge of each corner of the faces, -1 at the boundary.
 inline std::vector<std::int32_t> across_edges(mesh::Faces faces, const mesh::Halfedges &halfedges) {
     std::vector<std::array<std::int32_t, 2>> sides(halfedges.n_edges, {-1, -1});

@@ -9,6 +9,8 @@
 namespace alphamst::quadrangulate {
 namespace {
 
+constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+
 std::size_t place(int node, int side) { return 3 * at(node) + at(side); }
 
 } // namespace
@@ -45,11 +47,14 @@ void Matching::augment(std::uint8_t stage) {
     for (std::size_t node = 0; node < side_.size(); ++node)
         if (side_[node] < 0)
             free.push_back(static_cast<std::int32_t>(node));
-    constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     for (const std::size_t most : {std::size_t{16}, std::size_t{128}, std::size_t{1024}, all})
         std::erase_if(free, [&](std::int32_t node) { return side_[at(node)] >= 0 || search(node, most); });
-    std::fill(label_.begin(), label_.end(), Label::unseen);
+    end();
 }
+
+bool Matching::augment_from(int node) { return side_[at(node)] >= 0 || search(node, all); }
+
+void Matching::end() { std::fill(label_.begin(), label_.end(), Label::unseen); }
 
 // A tree of alternating paths from the root: outer nodes are at the end of paths of even
 // length, inner ones of odd length. before_ is the node before an inner one; for a contracted

@@ -34,6 +34,10 @@ public:
     void take(int node, int side) { side_[static_cast<std::size_t>(node)] = static_cast<std::int8_t>(side); }
     void take_cheapest(std::uint8_t stage);
     void augment(std::uint8_t stage); // to the largest with edges up to this stage
+    // The same for one node at a time, between begin() and end(); false if it stays without a mate.
+    void begin(std::uint8_t stage) { stage_ = stage; }
+    bool augment_from(int node);
+    void end();
     // Exchanges the edges of short alternating cycles while that lowers the cost, after
     // Lin and Kernighan (1973): every cycle that gains can be begun where all partial sums gain.
     void improve();

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <limits>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
+#include "disjoint_sets.h"
 #include "failure.h"
 #include "index.h"
+#include "quadrangulate/bars.h"
+#include "quadrangulate/cut.h"
+#include "quadrangulate/flat_sides.h"
 #include "quadrangulate/halve.h"
+#include "quadrangulate/joining.h"
 #include "quadrangulate/pairing.h"
+#include "quadrangulate/pillow.h"
 #include "quadrangulate/recut.h"
 #include "quadrangulate/row.h"
 
@@ -33,18 +38,6 @@ void test_sizes(const Polygons &polygons) {
                                         " vertices are too many to be made quads: ids are 32 bits wide");
 }
 
-// Three quads of a triangle, four of a quad; midpoint(c) is that of the side at corner c.
-template <class Midpoint>
-void split_face(QuadArrays &quads, mesh::Faces faces, std::size_t face, Midpoint midpoint) {
-    const std::size_t n = mesh::is_triangle(faces, face) ? 3 : 4, first = 4 * face;
-    const std::int32_t centre =
-        n == 3 ? append_vertex(quads, {faces[first], faces[first + 1], faces[first + 2]})
-               : append_vertex(quads, {faces[first], faces[first + 1], faces[first + 2], faces[first + 3]});
-    for (std::size_t k = 0; k < n; ++k)
-        add_face(quads, static_cast<std::int32_t>(face),
-                 {faces[first + k], midpoint(first + k), centre, midpoint(first + (k + n - 1) % n)});
-}
-
 void split(const Polygons &polygons, const mesh::Halfedges &halfedges, QuadArrays &quads) {
     const mesh::Faces faces = polygons.faces;
     std::vector<Edge> edges(halfedges.n_edges);
@@ -55,123 +48,165 @@ void split(const Polygons &polygons, const mesh::Halfedges &halfedges, QuadArray
     for (const auto &[v, w] : edges)
         halve(quads, v, w);
     for (std::size_t f = 0; f < faces.size() / 4; ++f)
-        split_face(quads, faces, f, [&](std::size_t c) { return first + halfedges.of_corner[c] / 2; });
+        split_face(quads, faces, f, static_cast<std::int32_t>(f),
+                   [&](std::size_t c) { return first + halfedges.of_corner[c] / 2; });
 }
 
-// Whether the side at each corner must not go: it is on a curve or between two regions.
-std::vector<bool> barred_sides(const Polygons &polygons, const std::vector<std::int32_t> &across) {
-    const mesh::Faces faces = polygons.faces;
-    const auto marker = [&](std::int64_t corner) { return polygons.face_marker[at(corner / 4)]; };
-    std::vector<bool> barred(faces.size());
-    if (!polygons.face_marker.empty())
-        for (std::size_t c = 0; c < faces.size(); ++c)
-            barred[c] = across[c] >= 0 && marker(static_cast<std::int64_t>(c)) != marker(across[c]);
-    std::vector<Edge> curves;
-    for (const Edge &curve : polygons.curves)
-        curves.push_back(sorted(curve));
-    if (curves.empty())
-        return barred;
-    std::sort(curves.begin(), curves.end());
+bool has_quads(mesh::Faces faces) {
+    for (std::size_t f = 0; f < faces.size() / 4; ++f)
+        if (!mesh::is_triangle(faces, f))
+            return true;
+    return false;
+}
+
+// Failure where one component, or several, would get vertices on the boundary.
+void require_even(mesh::Faces faces, const std::vector<std::int32_t> &across) {
+    DisjointSets components(faces.size() / 4);
     for (std::size_t c = 0; c < faces.size(); ++c)
-        if (faces[c] >= 0 && across[c] >= 0)
-            barred[c] =
-                barred[c] || std::binary_search(curves.begin(), curves.end(),
-                                                sorted({faces[c], faces[mesh::next_corner(faces, c)]}));
-    return barred;
+        if (across[c] > static_cast<std::int32_t>(c))
+            components.unite(static_cast<std::int32_t>(c / 4), across[c] / 4);
+    std::vector<std::int32_t> triangles(faces.size() / 4);
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+        if (mesh::is_triangle(faces, f))
+            ++triangles[components.find(f)];
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+        if (const std::int32_t n = triangles[components.find(f)]; n % 2 == 1)
+            throw Failure(Fault::argument,
+                          "the triangles connected with face {} are " + std::to_string(n) +
+                              ", an odd number, of which quads can only be made with a new vertex on the "
+                              "boundary: allow it, or make one triangle more or less of them",
+                          Entity::face, {static_cast<std::int64_t>(f)});
 }
 
-// Makes one face of each two that are merged, at the place of the first, and quads of those that have
-// a side halved; a triangle without neighbours is split in three. Returns the sides that lead
-// to midpoints.
-class Joining {
-public:
-    Joining(mesh::Faces faces, const std::vector<std::int32_t> &across, const std::vector<Choice> &choices,
-            QuadArrays &quads)
-        : faces_(faces), across_(across), choices_(choices), quads_(quads) {}
+void require_closed(mesh::Faces faces, const std::vector<std::int32_t> &across) {
+    for (std::size_t c = 0; c < faces.size(); ++c)
+        if (faces[c] >= 0 && across[c] < 0)
+            throw Failure(
+                Fault::argument,
+                "face {} has a side on the boundary, which cannot be split in two where new vertices "
+                "on the boundary are forbidden: pair the triangles, or allow it",
+                Entity::face, {static_cast<std::int64_t>(c / 4)});
+}
 
-    std::vector<Edge> run() {
-        for (std::size_t f = 0; f < choices_.size(); ++f)
-            switch (choices_[f].kind) {
-            case Choice::Kind::none:
-                add_face(quads_, static_cast<std::int32_t>(f),
-                         {faces_[4 * f], faces_[4 * f + 1], faces_[4 * f + 2], faces_[4 * f + 3]});
-                break;
-            case Choice::Kind::merge:
-                merge(f);
-                break;
-            case Choice::Kind::halve:
-                if (across_[4 * f] < 0 && across_[4 * f + 1] < 0 && across_[4 * f + 2] < 0)
-                    split_face(quads_, faces_, f, [&](std::size_t c) { return midpoint(c); });
-                else
-                    halve_side(f);
-                break;
+// Triangles that have but sides to be halved, each on its own or together a closed surface, are split in
+// three: halved once they would have corners of 180 degrees.
+void split_bodies(const std::vector<std::int32_t> &across, std::vector<Choice> &choices) {
+    const auto is_halved = [&](std::size_t f) { return choices[f].kind == Choice::Kind::halve; };
+    for (std::size_t f = 0; f < choices.size(); ++f)
+        if (is_halved(f) && across[4 * f] < 0 && across[4 * f + 1] < 0 && across[4 * f + 2] < 0)
+            choices[f].kind = Choice::Kind::split;
+    std::vector<bool> seen(choices.size());
+    for (std::size_t first = 0; first < choices.size(); ++first) {
+        if (seen[first] || !is_halved(first))
+            continue;
+        std::vector<std::size_t> body{first};
+        seen[first] = true;
+        bool all = true;
+        for (std::size_t head = 0; head < body.size(); ++head)
+            for (std::size_t c = 4 * body[head]; c < 4 * body[head] + 3; ++c) {
+                if (across[c] < 0 || !is_halved(at(across[c]) / 4)) {
+                    all = false;
+                } else if (!seen[at(across[c]) / 4]) {
+                    seen[at(across[c]) / 4] = true;
+                    body.push_back(at(across[c]) / 4);
+                }
             }
-        return std::move(flat_);
+        for (const std::size_t f : body)
+            if (all)
+                choices[f].kind = Choice::Kind::split;
     }
-
-private:
-    void merge(std::size_t f) {
-        if (choices_[f].mate < static_cast<std::int32_t>(f))
-            return;
-        const std::size_t c = 4 * f + at(choices_[f].side), next = mesh::next_corner(faces_, c);
-        const std::size_t other = mesh::next_corner(faces_, mesh::next_corner(faces_, at(across_[c])));
-        add_face(quads_, static_cast<std::int32_t>(f),
-                 {faces_[c], faces_[other], faces_[next], faces_[mesh::next_corner(faces_, next)]});
-    }
-
-    void halve_side(std::size_t f) {
-        const std::size_t c = 4 * f + at(choices_[f].side), next = mesh::next_corner(faces_, c);
-        const std::int32_t vertex = midpoint(c);
-        add_face(quads_, static_cast<std::int32_t>(f),
-                 {faces_[c], vertex, faces_[next], faces_[mesh::next_corner(faces_, next)]});
-        flat_.push_back({faces_[c], vertex});
-    }
-
-    std::int32_t midpoint(std::size_t corner) {
-        const std::size_t key = across_[corner] < 0 ? corner : std::min(corner, at(across_[corner]));
-        const auto [place, is_new] = midpoints_.try_emplace(key);
-        if (is_new)
-            place->second = halve(quads_, faces_[corner], faces_[mesh::next_corner(faces_, corner)]);
-        return place->second;
-    }
-
-    mesh::Faces faces_;
-    const std::vector<std::int32_t> &across_;
-    const std::vector<Choice> &choices_;
-    QuadArrays &quads_;
-    std::vector<Edge> flat_;
-    std::unordered_map<std::size_t, std::int32_t> midpoints_; // at the first corner of their sides
-};
+}
 
 void sort_midpoints(QuadArrays &quads) {
     std::sort(quads.midpoints.begin(), quads.midpoints.end(),
               [](const QuadArrays::Midpoint &a, const QuadArrays::Midpoint &b) { return a.edge < b.edge; });
 }
 
-void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, QuadArrays &quads) {
-    const mesh::Faces faces = polygons.faces;
-    const std::vector<std::int32_t> across = across_edges(faces, halfedges);
-    const std::vector<Choice> choices =
-        pair_triangles(polygons.points, faces, across, barred_sides(polygons, across));
-    std::vector<Edge> flat = Joining(faces, across, choices, quads).run();
-    split_rows(quads, flat);
-    sort_midpoints(quads);
-    if (flat.empty())
-        return;
-    std::vector<bool> on_boundary(quads.points.size() / 3);
-    const auto note = [&](std::int32_t v, std::int32_t w) {
-        for (const auto &[first, last] : pieces(quads, {v, w}))
-            on_boundary[at(first)] = on_boundary[at(last)] = true;
-    };
+// The vertices on these edges, and on what is left of them in pieces.
+std::vector<bool> vertices_on(const QuadArrays &quads, const std::vector<Edge> &edges) {
+    std::vector<bool> fixed(quads.points.size() / 3);
+    for (const Edge &edge : edges)
+        for (const auto &[v, w] : pieces(quads, edge))
+            fixed[at(v)] = fixed[at(w)] = true;
+    return fixed;
+}
+
+std::vector<Edge> boundary_edges(mesh::Faces faces, const std::vector<std::int32_t> &across) {
+    std::vector<Edge> edges;
     for (std::size_t c = 0; c < faces.size(); ++c)
         if (faces[c] >= 0 && across[c] < 0)
-            note(faces[c], faces[mesh::next_corner(faces, c)]);
-    recut(quads, polygons, flat, on_boundary);
+            edges.push_back({faces[c], faces[mesh::next_corner(faces, c)]});
+    return edges;
+}
+
+// Everything that a pairing refers to.
+struct Paired {
+    Cut cut;
+    TriangleSides sides;
+    Pairing pairing;
+};
+
+// Pairs once more, with the quads near poor pairs cut in two; of some ways to cut them the best, each
+// trying others where the one before left something poor.
+void pair_through_quads(const Polygons &polygons, const PairingRules &rules, Paired &best) {
+    // Few of a large mesh: each looks at all of it.
+    const std::size_t trials = std::clamp<std::size_t>(4'000'000 / polygons.faces.size(), 2, 16);
+    constexpr int layers = 3; // about as far as a path goes that turns around a vertex
+    const std::vector<std::int32_t> across = best.sides.across;
+    std::vector<std::int8_t> diagonals = parallel_diagonals(polygons.faces, across);
+    constexpr int most_in_vain = 4; // then what is poor is so however quads are cut
+    int in_vain = 0;
+    for (std::size_t trial = 0; trial < trials && in_vain < most_in_vain && !best.pairing.poor.empty();
+         ++trial) {
+        Paired next;
+        next.cut = cut_quads(polygons.points, polygons.faces, diagonals);
+        const Cut &cut = next.cut;
+        next.sides.across = across_edges(cut.faces, mesh::pair_sides(cut.faces, polygons.points.size() / 3));
+        next.sides.bars = bars_of(polygons, cut.faces, cut.origin, next.sides.across, rules.sharp_angle);
+        unite_odd_sides(polygons.points, cut.faces, next.sides);
+        next.sides.diagonals = cut.diagonals;
+        next.pairing = pair_triangles(polygons.points, cut.faces, next.sides, rules.new_boundary_vertices);
+        std::vector<std::int32_t> poor;
+        for (const std::int32_t face : next.pairing.poor)
+            poor.push_back(cut.origin[at(face)]);
+        draw_diagonals(polygons.faces, across, poor, layers, trial, diagonals);
+        const bool is_better = next.pairing.poor.size() < best.pairing.poor.size();
+        in_vain = is_better ? 0 : in_vain + 1;
+        if (is_better)
+            best = std::move(next);
+    }
+}
+
+void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, const PairingRules &rules,
+          QuadArrays &quads) {
+    Paired paired;
+    TriangleSides &sides = paired.sides;
+    sides.across = across_edges(polygons.faces, halfedges);
+    sides.bars = bars_of(polygons, polygons.faces, {}, sides.across, rules.sharp_angle);
+    unite_odd_sides(polygons.points, polygons.faces, sides);
+    const std::vector<Edge> boundary = boundary_edges(polygons.faces, sides.across);
+    std::vector<Edge> barred = barred_edges(polygons.faces, sides.bars);
+    if (!rules.new_boundary_vertices)
+        require_even(polygons.faces, sides.across);
+    paired.pairing = pair_triangles(polygons.points, polygons.faces, sides, rules.new_boundary_vertices);
+    if (!paired.pairing.poor.empty() && has_quads(polygons.faces))
+        pair_through_quads(polygons, rules, paired);
+    split_bodies(sides.across, paired.pairing.choices);
+    const mesh::Faces faces = paired.cut.faces.empty() ? polygons.faces : mesh::Faces(paired.cut.faces);
+    std::vector<Edge> flat = join({faces, paired.cut.origin, polygons.faces, sides, paired.pairing}, quads);
+    split_rows(quads, flat);
+    sort_midpoints(quads);
+    if (!flat.empty())
+        recut(quads, {polygons.points, polygons.faces, polygons.face_marker, barred}, flat,
+              vertices_on(quads, boundary));
+    barred.insert(barred.end(), boundary.begin(), boundary.end());
+    if (!barred.empty())
+        pillow(quads, vertices_on(quads, barred));
 }
 
 } // namespace
 
-QuadArrays quadrangulate(const Polygons &polygons, Quadrangulation how) {
+QuadArrays quadrangulate(const Polygons &polygons, Quadrangulation how, const PairingRules &rules) {
     mesh::test_lengths(3, polygons.points, polygons.faces);
     test_sizes(polygons);
     mesh::test_points(polygons.points);
@@ -182,9 +217,11 @@ QuadArrays quadrangulate(const Polygons &polygons, Quadrangulation how) {
     QuadArrays quads;
     quads.points.assign(polygons.points.begin(), polygons.points.end());
     if (how == Quadrangulation::split) {
+        if (!rules.new_boundary_vertices)
+            require_closed(polygons.faces, across_edges(polygons.faces, halfedges));
         split(polygons, halfedges, quads);
     } else {
-        pair(polygons, halfedges, quads);
+        pair(polygons, halfedges, rules, quads);
     }
     return quads;
 }

@@ -22,6 +22,11 @@ enum class Quadrangulation {
     split // every side is halved: three quads of a triangle, four of a quad
 };
 
+struct PairingRules {
+    double sharp_angle = 180; // degrees between the normals of two triangles that are not paired; 180: none
+    bool new_boundary_vertices = true; // else Failure (argument) where the triangles are odd in number
+};
+
 struct QuadArrays {
     struct Midpoint {
         std::array<std::int32_t, 2> edge; // which is no longer one
@@ -32,6 +37,7 @@ struct QuadArrays {
     std::vector<std::int32_t> faces;
     std::vector<std::int32_t> origin; // [n] the face given that a quad, or its first triangle, was
     std::vector<Midpoint> midpoints;  // by edge, smaller vertex first; one may end at another midpoint
+    std::vector<std::array<std::int32_t, 2>> crossed; // sharp edges that are in quads now
 };
 
 // Pairing leaves no triangle over, adds no vertex and crosses no curve or border of regions
@@ -46,7 +52,7 @@ struct QuadArrays {
 // Memory is linear, and so is time but where triangles left over by their neighbours are far
 // from each other, as in a lattice with a row shifted. Throws what QuadMesh::build does, ids being
 // those of the polygons, but for vertices whose faces are not one fan, which only it looks for.
-QuadArrays quadrangulate(const Polygons &polygons, Quadrangulation how);
+QuadArrays quadrangulate(const Polygons &polygons, Quadrangulation how, const PairingRules &rules = {});
 
 // The pieces an edge was cut into, in order from its first vertex.
 std::vector<std::array<std::int32_t, 2>> pieces(const QuadArrays &quads, std::array<std::int32_t, 2> edge);

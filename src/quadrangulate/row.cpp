@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "disjoint_sets.h"
 #include "failure.h"
 #include "index.h"
 #include "quadrangulate/halve.h"
@@ -15,8 +16,15 @@ public:
     explicit Rows(QuadArrays &quads)
         : quads_(quads),
           across_(across_edges(quads.faces, mesh::pair_sides(quads.faces, quads.points.size() / 3))),
-          cuts_(quads.origin.size(), {-1, -1}), reached_(quads.origin.size(), -1),
-          from_(quads.origin.size()) {}
+          cuts_(quads.origin.size(), {-1, -1}), reached_(quads.origin.size(), -1), from_(quads.origin.size()),
+          components_(quads.origin.size()), may_leave_(quads.origin.size()) {
+        for (std::size_t c = 0; c < across_.size(); ++c)
+            if (across_[c] > static_cast<std::int32_t>(c))
+                components_.unite(static_cast<std::int32_t>(c / 4), across_[c] / 4);
+        for (std::size_t f = 0; f < quads.origin.size(); ++f)
+            if (mesh::is_triangle(quads.faces, f))
+                may_leave_[components_.find(f)].flip();
+    }
 
     // False if the way is blocked by the rows before.
     bool find(std::int32_t triangle) {
@@ -33,6 +41,11 @@ public:
                 const std::int32_t corner = 4 * face + (first + i) % sides, other = across_[at(corner)];
                 if (other >= 0 && (reached_[at(other / 4)] == triangle || cuts_[at(other / 4)][0] >= 0))
                     continue;
+                if (other < 0) {
+                    if (!may_leave_[at(components_.find(face))])
+                        continue;
+                    may_leave_[at(components_.find(face))] = false;
+                }
                 if (other < 0 || mesh::is_triangle(quads_.faces, at(other / 4))) {
                     take(triangle, corner);
                     return true;
@@ -120,7 +133,10 @@ private:
     std::vector<std::int32_t> across_;
     std::vector<std::array<std::int8_t, 2>> cuts_; // of each face
     std::vector<std::int32_t> reached_, from_;     // the triangle that a search began at; the corner before
-    std::vector<std::int32_t> vertex_;             // the midpoint at each corner
+    DisjointSets components_;
+    std::vector<bool>
+        may_leave_; // of the face that stands for a component: whether a row to the boundary is due
+    std::vector<std::int32_t> vertex_; // the midpoint at each corner
 };
 
 } // namespace

@@ -9,10 +9,10 @@
 
 namespace alphamst::quadrangulate {
 
-// Makes quads of all triangles: from each one a row of faces leads to another one or to the
-// boundary, the edges across it get midpoints, and its quads are split along it. Nothing is left
-// over: a row ends at the boundary if there is one, and without one the triangles are even in number.
-// Adds to flat the sides of former triangles that lead to their midpoints.
+// Makes quads of all triangles: from each one a row of faces leads to another one, the edges
+// across it get midpoints, and its quads are split along it. Of each component that has an odd number of
+// triangles one row leads to the boundary. Adds to flat the sides of former triangles that lead to their
+// midpoints.
 void split_rows(QuadArrays &quads, std::vector<std::array<std::int32_t, 2>> &flat);
 
 } // namespace alphamst::quadrangulate

@@ -143,10 +143,12 @@ static void triangles_become_quads(void **state) {
         snprintf(text, sizeof text, triangles, marked ? '1' : '2');
         write_text(path, text);
         must(amst_mesh_read(ctx, path, NULL, &mesh));
-        /* The diagonal must stay, so both triangles leave by the boundary. */
-        assert_int_equal(count_of(mesh, AMST_FACE), marked ? 3 : 2);
-        assert_int_equal(count_of(mesh, AMST_VERTEX), marked ? 8 : 6);
-        const amst_id pairs[6] = {2, 5, 1, 5, 2, 6};
+        /* The diagonal must stay and so must the boundary: both triangles get a vertex on it, and are five.
+         */
+        assert_int_equal(count_of(mesh, AMST_FACE), marked ? 11 : 2);
+        assert_int_equal(count_of(mesh, AMST_VERTEX), marked ? 15 : 6);
+        must(amst_mesh_check(mesh));
+        const amst_id pairs[6] = {2, 5, 1, marked ? 7 : 5, 2, 6};
         must(amst_mesh_find_edges(mesh, pairs, 3, edges));
         assert_true(edges[0] > 0);
         assert_int_equal(edges[1] > 0, marked);

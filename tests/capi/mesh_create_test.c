@@ -208,11 +208,12 @@ static void triangles_become_quads(void **state) {
         assert_true(checksum(mesh) == digest);
         amst_mesh_destroy(mesh);
 
-        /* One left over: a vertex on the boundary more. */
+        /* One left over: a vertex on the boundary more, and no flat corner there. */
         must(
             amst_mesh_create(ctx, 2, points, n_vertices, 0, 0, three, 2 * n_faces - 1, 0, 0, 3, NULL, &mesh));
-        assert_int_equal(count_of(mesh, AMST_FACE), n_faces);
-        assert_int_equal(count_of(mesh, AMST_VERTEX), n_vertices + 1);
+        assert_int_equal(count_of(mesh, AMST_FACE), n_faces + 4);
+        assert_int_equal(count_of(mesh, AMST_VERTEX), n_vertices + 5);
+        must(amst_mesh_check(mesh));
         amst_mesh_destroy(mesh);
 
         /* "none" is for the last of four corners only */

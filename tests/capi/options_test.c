@@ -19,6 +19,7 @@ static const integer_option integers[] = {
     {AMST_OPT_STRATEGY, 0, 0, 1},
     {AMST_OPT_ALIGN, 0, 0, 1},
     {AMST_OPT_CHART, 0, 0, 3},
+    {AMST_OPT_KEEP_BOUNDARY, 0, 0, 1},
 };
 
 typedef struct real_option {
@@ -35,6 +36,7 @@ static const real_option reals[] = {
     {AMST_OPT_SIZE_WEIGHT, 0.7, 0, 1},
     {AMST_OPT_TRANSITION, 0.5, 0.05, 1},
     {AMST_OPT_LEAST_SIZE, 0.125, 0, 1},
+    {AMST_OPT_SHARP_ANGLE, 40, 0, 180},
 };
 
 static amst_options *new_options(void) {

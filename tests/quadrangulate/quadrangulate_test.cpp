@@ -7,9 +7,9 @@
 #include <random>
 #include <set>
 
+#include "bodies.h"
 #include "mesh/grids.h"
 #include "quadrangulate/halve.h"
-#include "triangles.h"
 
 namespace alphamst::quadrangulate {
 namespace {
@@ -17,7 +17,6 @@ namespace {
 using namespace triangles;
 
 TEST(Quadrangulate, AnOddDiscGetsOneVertexOnItsBoundary) {
-    int without_flat_corner = 0;
     for (unsigned seed = 0; seed < 20; ++seed) {
         Input input = seed % 2 == 0 ? lattice(5 + int(seed), 7, seed) : disc(5 + int(seed), 14, seed);
         input.faces.resize(input.faces.size() - 4);
@@ -25,7 +24,8 @@ TEST(Quadrangulate, AnOddDiscGetsOneVertexOnItsBoundary) {
         const QuadArrays quads = input.quads();
         const mesh::QuadMesh mesh = expect_sound(input, quads, 2);
         expect_regions(input, quads);
-        ASSERT_EQ(quads.points.size(), input.points.size() + 3 * quads.midpoints.size());
+        // Those that are neither at midpoints nor given are within quads: four in one.
+        ASSERT_EQ((quads.points.size() - input.points.size() - 3 * quads.midpoints.size()) % 12, 0U);
         ASSERT_GE(quads.midpoints.size(), 1U);
         if (seed % 2 == 0) {
             EXPECT_EQ(quads.midpoints.size(), 1U);
@@ -40,10 +40,9 @@ TEST(Quadrangulate, AnOddDiscGetsOneVertexOnItsBoundary) {
                           (input.points[3 * std::size_t(edge[0]) + k] +
                            input.points[3 * std::size_t(edge[1]) + k]) /
                               2);
-            without_flat_corner += mesh.valence(vertex) == 3;
+            EXPECT_EQ(mesh.valence(vertex), 3); // no flat corner
         }
     }
-    EXPECT_GE(without_flat_corner, 6);
 }
 
 TEST(Quadrangulate, RegionsStayApart) {
@@ -72,7 +71,8 @@ TEST(Quadrangulate, OddRegionsMeetAtAVertexOnTheirBorder) {
     for (const int face : mesh.faces_around(vertex))
         markers.insert(input.markers[std::size_t(quads.origin[std::size_t(face)])]);
     EXPECT_EQ(markers, (std::set<int>{1, 2}));
-    EXPECT_EQ(mesh.valence(vertex), 3); // cut anew in the region that has more than this triangle
+    EXPECT_EQ(mesh.valence(vertex), 4); // cut anew in the one region, five quads in the other
+    EXPECT_GT(smallest_sine(quads), 0.01);
 }
 
 TEST(Quadrangulate, CurvesStay) {
@@ -92,9 +92,10 @@ TEST(Quadrangulate, CurvesStay) {
     }
 }
 
-// Between all sides being curves no triangle has a mate: each goes out, or on in a row.
+// Between all sides being curves no triangle has a mate: those of a closed surface are split.
 TEST(Quadrangulate, CurvesEverywhere) {
     for (Input input : {sphere(2), lattice(6, 5, 1)}) {
+        const bool closed = input.n_points() == 2 + input.n_faces() / 2;
         const mesh::Halfedges halfedges = mesh::pair_sides(input.faces, input.n_points());
         std::set<Edge> edges;
         for (std::size_t c = 0; c < input.faces.size(); ++c)
@@ -105,11 +106,14 @@ TEST(Quadrangulate, CurvesEverywhere) {
         input.curves.assign(edges.begin(), edges.end());
         const QuadArrays quads = input.quads();
         const mesh::QuadMesh mesh = expect_sound(input, quads);
-        EXPECT_EQ(quads.origin.size(), input.n_faces());
-        // One for each two triangles, but for those that leave by the boundary.
-        const auto leave = std::count_if(quads.midpoints.begin(), quads.midpoints.end(),
-                                         [&](const auto &m) { return mesh.on_boundary(m.vertex); });
-        EXPECT_EQ(2 * quads.midpoints.size() - std::size_t(leave), input.n_faces());
+        EXPECT_GT(smallest_sine(quads), 0.01);
+        if (closed) {
+            EXPECT_EQ(quads.origin.size(), 3 * input.n_faces());
+            EXPECT_EQ(quads.midpoints.size(), halfedges.n_edges);
+        } else { // the boundary stays, as their number is even
+            EXPECT_TRUE(std::none_of(quads.midpoints.begin(), quads.midpoints.end(),
+                                     [&](const auto &m) { return mesh.on_boundary(m.vertex); }));
+        }
         for (const Edge &curve : input.curves)
             for (const auto &[v, w] : pieces(quads, curve))
                 EXPECT_GE(mesh.find_edge(v, w), 0);
@@ -214,8 +218,8 @@ TEST(Quadrangulate, SmallestComponents) {
     pillow.add(0, 1, 2);
     Input one = pillow;
     pillow.add(2, 1, 0);
-    const QuadArrays two_quads = pillow.quads();
-    EXPECT_EQ(expect_sound(pillow, two_quads).n_faces(), 2);
+    const QuadArrays six_quads = pillow.quads();
+    EXPECT_EQ(expect_sound(pillow, six_quads).n_faces(), 6);
 
     const QuadArrays three_quads = one.quads();
     const mesh::QuadMesh mesh = expect_sound(one, three_quads, 2);
@@ -246,6 +250,93 @@ TEST(Quadrangulate, SameAgain) {
     const QuadArrays first = input.quads(), second = input.quads();
     EXPECT_EQ(first.faces, second.faces);
     EXPECT_EQ(first.points, second.points);
+}
+
+constexpr PairingRules cad{.sharp_angle = 40};
+
+// Squares cut in four or in two: all sides of all boxes can do without their edges.
+TEST(Quadrangulate, NoQuadIsOverASharpEdge) {
+    for (const bool crosses : {false, true})
+        for (int n = 1; n < 5; ++n) {
+            const Input body = box(1, n, 2 * n + 1, crosses);
+            const QuadArrays quads = quadrangulate(body.polygons(), Quadrangulation::pair, cad);
+            expect_sound(body, quads);
+            EXPECT_EQ(quads.points.size(), body.points.size());
+            EXPECT_TRUE(quads.crossed.empty());
+            EXPECT_GT(smallest_sine(quads), 0.5);
+            for (std::size_t q = 0; q < quads.origin.size(); ++q)
+                EXPECT_TRUE(is_on_one_side(body, quad(quads, q)));
+        }
+}
+
+TEST(Quadrangulate, AnOddSideIsCrossedAndSaysSo) {
+    const Input body = octahedron();
+    const QuadArrays quads = quadrangulate(body.polygons(), Quadrangulation::pair, cad);
+    expect_pairs(body, quads);
+    EXPECT_EQ(quads.crossed.size(), 4U);
+}
+
+TEST(Quadrangulate, ATetrahedronIsSplit) {
+    Input body;
+    body.points = {1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1};
+    body.add(0, 1, 3);
+    body.add(0, 2, 1);
+    body.add(0, 3, 2);
+    body.add(1, 2, 3);
+    const QuadArrays quads = quadrangulate(body.polygons(), Quadrangulation::pair, cad);
+    EXPECT_EQ(expect_sound(body, quads).n_faces(), 12);
+    EXPECT_GT(smallest_sine(quads), 0.4);
+}
+
+// No pairs of triangles around a round hole are convex: quads are added inside, the boundary stays.
+TEST(Quadrangulate, AnEvenPlateKeepsItsBoundary) {
+    for (const int around : {16, 32, 64}) {
+        const Input input = plate(around, 2);
+        ASSERT_EQ(input.n_faces() % 2, 0U);
+        const QuadArrays quads = input.quads();
+        EXPECT_NO_THROW(expect_sound(input, quads, 2).check());
+        EXPECT_TRUE(quads.midpoints.empty());
+        EXPECT_GT(smallest_sine(quads), 0.01);
+    }
+}
+
+// Two pairs of triangles among quads that would be flat, one on the boundary and one on the border of a
+// region.
+TEST(Quadrangulate, EvenTrianglesAmongQuadsKeepTheBoundary) {
+    const mesh::Grid grid = mesh::plane(10, 10);
+    Input input;
+    input.points = grid.points;
+    for (std::size_t f = 0; f < grid.faces.size() / 4; ++f) {
+        const std::int32_t *c = &grid.faces[4 * f];
+        if (f == 4 || f == 75) {
+            input.add(c[0], c[1], c[2]);
+            input.add(c[2], c[3], c[0]);
+        } else if (f != 5 && f != 74) {
+            input.add(c[0], c[1], c[2], c[3]);
+        } else {
+            input.add(c[0], c[1], c[3]);
+            input.add(c[1], c[2], c[3]);
+        }
+    }
+    const QuadArrays quads = input.quads();
+    const mesh::QuadMesh mesh = expect_sound(input, quads, 2);
+    EXPECT_NO_THROW(mesh.check());
+    for (const auto &[edge, vertex] : quads.midpoints)
+        EXPECT_FALSE(mesh.on_boundary(vertex));
+}
+
+TEST(Quadrangulate, NewBoundaryVerticesCanBeForbidden) {
+    const PairingRules rules{.new_boundary_vertices = false};
+    Input input = lattice(6, 5, 2);
+    EXPECT_EQ(quadrangulate(input.polygons(), Quadrangulation::pair, rules).origin.size(), 30U);
+    EXPECT_EQ(mesh::failure_of([&] { quadrangulate(input.polygons(), Quadrangulation::split, rules); }).fault,
+              Fault::argument);
+    input.faces.resize(input.faces.size() - 4);
+    const Failure failure =
+        mesh::failure_of([&] { quadrangulate(input.polygons(), Quadrangulation::pair, rules); });
+    EXPECT_EQ(failure.fault, Fault::argument);
+    EXPECT_EQ(failure.entity, Entity::face);
+    EXPECT_NE(failure.text.find("59"), std::string::npos);
 }
 
 Failure refusal(const Input &input) {

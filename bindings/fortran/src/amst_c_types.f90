@@ -137,6 +137,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_OPT_STRATEGY = 7
     integer(c_int32_t), parameter :: AMST_OPT_ALIGN = 8
     integer(c_int32_t), parameter :: AMST_OPT_CHART = 9
+    integer(c_int32_t), parameter :: AMST_OPT_KEEP_BOUNDARY = 10
     integer(c_int32_t), parameter :: AMST_OPT_MIN_QUALITY = 1000
     integer(c_int32_t), parameter :: AMST_OPT_MIN_CONVEXITY = 1001
     integer(c_int32_t), parameter :: AMST_OPT_PATCH_FACES = 1002
@@ -145,6 +146,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_OPT_SIZE_WEIGHT = 1005
     integer(c_int32_t), parameter :: AMST_OPT_TRANSITION = 1006
     integer(c_int32_t), parameter :: AMST_OPT_LEAST_SIZE = 1007
+    integer(c_int32_t), parameter :: AMST_OPT_SHARP_ANGLE = 1008
     integer(c_int32_t), parameter :: AMST_OPTION_MAX = 2147483647
 
     ! amst_result

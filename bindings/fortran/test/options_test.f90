@@ -22,6 +22,7 @@ contains
         call claim(options%get_int(AMST_OPT_NODE_LIMIT) == 1000, 'node limit')
         call claim(options%get_int(AMST_OPT_QUADRANGULATE) == 0, 'quadrangulate')
         call claim(options%get_int(AMST_OPT_CHART) == 0, 'chart')
+        call claim(options%get_int(AMST_OPT_KEEP_BOUNDARY) == 0, 'keep boundary')
         call claim(abs(options%get_real(AMST_OPT_MIN_QUALITY)) <= 0, 'quality')
         call claim(abs(options%get_real(AMST_OPT_MIN_CONVEXITY) - 0.6_real64) <= 0, 'convexity')
         call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 100) <= 0, 'patch faces')
@@ -30,6 +31,7 @@ contains
         call claim(abs(options%get_real(AMST_OPT_SIZE_WEIGHT) - 0.7_real64) <= 0, 'weight of sizes')
         call claim(abs(options%get_real(AMST_OPT_TRANSITION) - 0.5_real64) <= 0, 'transition')
         call claim(abs(options%get_real(AMST_OPT_LEAST_SIZE) - 0.125_real64) <= 0, 'least size')
+        call claim(abs(options%get_real(AMST_OPT_SHARP_ANGLE) - 40) <= 0, 'sharp angle')
         call options%set(AMST_OPT_SEED, -2_int64**62)
         call claim(options%get_int(AMST_OPT_SEED) == -2_int64**62, 'a seed of 64 bits')
         call options%set(AMST_OPT_SMOOTH_STEPS, 7)
@@ -68,19 +70,19 @@ contains
 
         call a%create()
         call b%create()
-        do k = 0, AMST_OPT_CHART
+        do k = 0, AMST_OPT_KEEP_BOUNDARY
             call a%set(k, merge(5 + k, changed(k), k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES))
         end do
-        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_LEAST_SIZE
+        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_SHARP_ANGLE
             call a%set(k, merge(9.0_real64, 0.12_real64*(k - 999), k == AMST_OPT_PATCH_FACES))
         end do
         b = a
         call a%destroy()
-        do k = 0, AMST_OPT_CHART
+        do k = 0, AMST_OPT_KEEP_BOUNDARY
             call claim(b%get_int(k) == merge(5 + k, changed(k), &
                 k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES), 'copied integer')
         end do
-        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_LEAST_SIZE
+        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_SHARP_ANGLE
             call claim(abs(b%get_real(k) - merge(9.0_real64, 0.12_real64*(k - 999), &
                 k == AMST_OPT_PATCH_FACES)) <= 0, 'copied real')
         end do

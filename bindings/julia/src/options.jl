@@ -5,10 +5,11 @@ const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
                      node_limit = AMST_OPT_NODE_LIMIT, quadrangulate = AMST_OPT_QUADRANGULATE,
                      edit_boundary = AMST_OPT_EDIT_BOUNDARY,
                      strategy = AMST_OPT_STRATEGY, align = AMST_OPT_ALIGN, chart = AMST_OPT_CHART,
+                     keep_boundary = AMST_OPT_KEEP_BOUNDARY,
                      min_quality = AMST_OPT_MIN_QUALITY, min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES,
                      tolerance = AMST_OPT_TOLERANCE, effort = AMST_OPT_EFFORT,
                      size_weight = AMST_OPT_SIZE_WEIGHT, transition = AMST_OPT_TRANSITION,
-                     least_size = AMST_OPT_LEAST_SIZE)
+                     least_size = AMST_OPT_LEAST_SIZE, sharp_angle = AMST_OPT_SHARP_ANGLE)
 
 # The header's rule for the keys of options and of reports.
 is_real(key::Int32) = key >= 1000
@@ -31,6 +32,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `strategy` | 0 | 0: a whole mesh is adapted by windows, 1: by chords alone |
 | `align` | 0 | 0 or 1: edges of curved meshes follow their cross field |
 | `chart` | 0 | map of what is curved, 0: a plane or a circle, 1: mean value, 2: conformal, 3: low stretch |
+| `keep_boundary` | 0 | 0 or 1: new meshes get no vertex on the boundary, or fail |
 | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
 | `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
 | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |
@@ -39,6 +41,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `size_weight` | 0.7 | of wanted sizes against shapes, 0 to 1 |
 | `transition` | 0.5 | of a patch's depth, over which sizes change, 0.05 to 1 |
 | `least_size` | 0.125 | area over wanted area; no smaller face is made, 0 to 1 |
+| `sharp_angle` | 40.0 | triangles of a new mesh are not paired over sharper edges, 0 to 180 degrees |
 
 `options[:seed]` reads and `options[:seed] = 7` sets one. Throws `AlphaMSTError` for a value out
 of range or not finite, and for a number in place of a name that the library does not know.

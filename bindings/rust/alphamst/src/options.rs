@@ -31,6 +31,8 @@ enumeration! {
         /// Integer, 0: map of what is curved, 0: a plane or a circle, 1: mean value, 2: conformal,
         /// 3: low stretch.
         Chart = AMST_OPT_CHART,
+        /// Integer 0 or 1, 0: new meshes get no vertex on the boundary, or fail.
+        KeepBoundary = AMST_OPT_KEEP_BOUNDARY,
         /// Real, 0.0: no filling with a scaled Jacobian at or below, 0 to 1.
         MinQuality = AMST_OPT_MIN_QUALITY,
         /// Real, 0.6: a patch below is [`Defects::NOT_CONVEX`](crate::Defects::NOT_CONVEX), 0 to 1.
@@ -47,6 +49,8 @@ enumeration! {
         Transition = AMST_OPT_TRANSITION,
         /// Real, 0.125: area over wanted area; no smaller face is made, 0 to 1.
         LeastSize = AMST_OPT_LEAST_SIZE,
+        /// Real, 40.0: triangles of a new mesh are not paired over sharper edges, 0 to 180 degrees.
+        SharpAngle = AMST_OPT_SHARP_ANGLE,
     }
 }
 
@@ -196,6 +200,18 @@ impl Options {
         must(self.with_int(OptionKey::Align, align.into()))
     }
 
+    /// Sets [`OptionKey::KeepBoundary`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().keep_boundary(true).get_int(OptionKey::KeepBoundary)?, 1);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    #[must_use]
+    pub fn keep_boundary(self, keep_boundary: bool) -> Self {
+        must(self.with_int(OptionKey::KeepBoundary, keep_boundary.into()))
+    }
+
     /// Sets [`OptionKey::Chart`].
     ///
     /// ```
@@ -295,6 +311,17 @@ impl Options {
     /// ```
     pub fn least_size(self, ratio: f64) -> Result<Self> {
         self.with_real(OptionKey::LeastSize, ratio)
+    }
+
+    /// Sets [`OptionKey::SharpAngle`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().sharp_angle(25.0)?.get_real(OptionKey::SharpAngle)?, 25.0);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn sharp_angle(self, degrees: f64) -> Result<Self> {
+        self.with_real(OptionKey::SharpAngle, degrees)
     }
 
     /// Sets an integer, by key or by the number of one that this crate does not know.

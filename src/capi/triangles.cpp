@@ -1,0 +1,72 @@
+#include "capi/triangles.h"
+
+#include <string>
+
+#include "quadrangulate/halve.h"
+
+namespace alphamst::capi {
+namespace {
+
+using Edge = std::array<std::int32_t, 2>;
+
+// "3 of something: 1-2, 3-4, 5-6"; of many only the first ones.
+std::string list(const char *what, const std::vector<Edge> &edges, int index_base) {
+    constexpr std::size_t most = 10;
+    std::string text = std::to_string(edges.size()) + what;
+    for (std::size_t i = 0; i < edges.size() && i < most; ++i)
+        text += (i == 0 ? ": " : ", ") + std::to_string(edges[i][0] + index_base) + "-" +
+                std::to_string(edges[i][1] + index_base);
+    return edges.size() > most ? text + ", ..." : text;
+}
+
+// The edges given that have a vertex now, on the boundary or not. Pieces of halved ones are not told.
+std::vector<Edge> halved(const quadrangulate::QuadArrays &quads, std::size_t n_given, bool on_boundary) {
+    const std::vector<std::int32_t> across =
+        quadrangulate::across_edges(quads.faces, mesh::pair_sides(quads.faces, quads.points.size() / 3));
+    std::vector<bool> bounds(quads.points.size() / 3);
+    for (std::size_t c = 0; c < across.size(); ++c)
+        if (across[c] < 0)
+            bounds[static_cast<std::size_t>(quads.faces[c])] = true;
+    std::vector<Edge> edges;
+    for (const auto &[edge, vertex] : quads.midpoints)
+        if (static_cast<std::size_t>(edge[1]) < n_given &&
+            bounds[static_cast<std::size_t>(vertex)] == on_boundary)
+            edges.push_back(edge);
+    return edges;
+}
+
+} // namespace
+
+quadrangulate::QuadArrays quads_of(const Context &context, const char *call,
+                                   const quadrangulate::Polygons &polygons, const Options &options) {
+    quadrangulate::QuadArrays quads = quadrangulate::quadrangulate(
+        polygons, options.quadrangulate,
+        {.sharp_angle = options.sharp_angle, .new_boundary_vertices = !options.keep_boundary});
+    if (context.log == nullptr || options.quadrangulate == quadrangulate::Quadrangulation::split)
+        return quads;
+    const auto say = [&](std::int32_t level, const std::string &text) {
+        if (level <= context.log_level)
+            context.log(context.log_user, level, (std::string(call) + ": " + text).c_str());
+    };
+    const std::size_t n_given = polygons.points.size() / 3;
+    if (!quads.crossed.empty())
+        say(AMST_LOG_WARNING,
+            list(" sharp edges are within quads, as sides have odd numbers of triangles or no other pairs",
+                 quads.crossed, context.index_base));
+    if (!quads.midpoints.empty()) {
+        if (const auto edges = halved(quads, n_given, true); !edges.empty())
+            say(AMST_LOG_WARNING,
+                list(" boundary edges have a new vertex, as the triangles are odd in number", edges,
+                     context.index_base));
+        if (const auto edges = halved(quads, n_given, false); !edges.empty())
+            say(AMST_LOG_INFO, list(" edges inside have a new vertex, as triangles at them have no mate",
+                                    edges, context.index_base));
+    }
+    if (const std::size_t added = quads.points.size() / 3 - n_given; added > 0)
+        say(AMST_LOG_INFO, std::to_string(added) + " vertices are new, from " +
+                               std::to_string(n_given + static_cast<std::size_t>(context.index_base)) +
+                               " on");
+    return quads;
+}
+
+} // namespace alphamst::capi

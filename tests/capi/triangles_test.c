@@ -1,0 +1,110 @@
+/* Meshes of triangles: what is crossed or added is told, and can be forbidden. */
+#include <stdio.h>
+
+#include "grid.h"
+
+typedef struct said {
+    int warnings;
+    char text[400];
+} said;
+
+static void hear(void *user, int32_t level, const char *message) {
+    said *heard = user;
+    if (level == AMST_LOG_WARNING) {
+        ++heard->warnings;
+        snprintf(heard->text, sizeof heard->text, "%s", message);
+    }
+}
+
+static int64_t count(const amst_mesh *mesh, int32_t entity) {
+    int64_t n = 0;
+    must(amst_mesh_get_count(mesh, entity, &n));
+    return n;
+}
+
+static double least_quality(const amst_mesh *mesh) {
+    amst_summary summary;
+    must(amst_mesh_get_summary(mesh, AMST_METRIC_SCALED_JACOBIAN, &summary));
+    return summary.min;
+}
+
+static const double octahedron[] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+static const int32_t eight[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+
+static void crossing_is_told(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    said heard = {0, ""};
+    must(amst_context_set_log(ctx, AMST_LOG_WARNING, hear, &heard));
+    amst_mesh *mesh = NULL;
+    must(amst_mesh_create(ctx, 3, octahedron, 6, 0, 0, eight, 8, 0, 0, 3, NULL, &mesh));
+    assert_int_equal(count(mesh, AMST_FACE), 4);
+    assert_int_equal(heard.warnings, 1);
+    assert_non_null(strstr(heard.text, "4 sharp edges"));
+    amst_mesh_destroy(mesh);
+
+    amst_options *options = NULL;
+    must(amst_options_create(&options));
+    must(amst_options_set_real(options, AMST_OPT_SHARP_ANGLE, 180));
+    must(amst_mesh_create(ctx, 3, octahedron, 6, 0, 0, eight, 8, 0, 0, 3, options, &mesh));
+    assert_int_equal(heard.warnings, 1);
+    amst_mesh_destroy(mesh);
+    amst_options_destroy(options);
+    amst_context_destroy(ctx);
+}
+
+static void boundary_vertices_are_told_or_forbidden(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(1);
+    said heard = {0, ""};
+    must(amst_context_set_log(ctx, AMST_LOG_WARNING, hear, &heard));
+    const double points[] = {0, 0, 1, 0, 1, 1, 0, 1, 2, 0.5};
+    const int32_t three[] = {1, 2, 3, 3, 4, 1, 2, 5, 3};
+    amst_mesh *mesh = NULL;
+    must(amst_mesh_create(ctx, 2, points, 5, 0, 0, three, 3, 0, 0, 3, NULL, &mesh));
+    assert_int_equal(heard.warnings, 1);
+    assert_non_null(strstr(heard.text, "boundary"));
+    amst_mesh_destroy(mesh);
+    mesh = NULL;
+
+    amst_options *options = NULL;
+    must(amst_options_create(&options));
+    must(amst_options_set_int(options, AMST_OPT_KEEP_BOUNDARY, 1));
+    refused(AMST_ERR_ARGUMENT, amst_mesh_create(ctx, 2, points, 5, 0, 0, three, 3, 0, 0, 3, options, &mesh));
+    assert_non_null(strstr(amst_last_error(), "odd"));
+    assert_null(mesh);
+    must(amst_mesh_create(ctx, 2, points, 4, 0, 0, three, 2, 0, 0, 3, options, &mesh));
+    assert_int_equal(count(mesh, AMST_FACE), 1);
+    assert_int_equal(heard.warnings, 1);
+    amst_mesh_destroy(mesh);
+    amst_options_destroy(options);
+    amst_context_destroy(ctx);
+}
+
+static void one_tetrahedron_or_triangle_works(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    const double points[] = {1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1};
+    const int32_t four[] = {0, 1, 3, 0, 2, 1, 0, 3, 2, 1, 2, 3};
+    amst_mesh *mesh = NULL;
+    for (int n = 1; n <= 4; n += 3) {
+        must(amst_mesh_create(ctx, 3, points, 4, 0, 0, four, n, 0, 0, 3, NULL, &mesh));
+        must(amst_mesh_check(mesh));
+        assert_int_equal(count(mesh, AMST_FACE), 3 * n);
+        assert_true(least_quality(mesh) > 0.4);
+        must(amst_adapt(mesh, NULL, 2.0, NULL, NULL));
+        must(amst_mesh_check(mesh));
+        assert_true(least_quality(mesh) > 0.1);
+        amst_mesh_destroy(mesh);
+    }
+    amst_context_destroy(ctx);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(crossing_is_told),
+        cmocka_unit_test(boundary_vertices_are_told_or_forbidden),
+        cmocka_unit_test(one_tetrahedron_or_triangle_works),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
