@@ -21,8 +21,8 @@ public:
     bool empty() const { return runs_.empty(); }
     // Those that are there with one edge or two more or less in one run or in two, the loop having an even
     // number; the best first by what is wanted, and only such as are not far from that, or nearer to it than
-    // what is there.
-    std::vector<Counts> near() const;
+    // what is there. wished: lengths are those that a caller asks for.
+    std::vector<Counts> near(bool wished) const;
     // What is wanted everywhere, then parts of the way there; only such as are far better than what is there.
     std::vector<Counts> towards() const;
 
