@@ -6,8 +6,8 @@ use crate::callback::resume;
 use crate::error::create;
 use crate::{options, Mesh, Options, Patches, Report, Result};
 
-/// Operations. Each changes the mesh or, on an error, a cancel and a panic in a progress callback, not
-/// at all; it works on a copy, so that for a moment the mesh takes twice its memory. Patches with
+/// Operations. Each changes the mesh or, on an error, a cancel and a panic in a progress callback or a
+/// projection, not at all; it works on a copy, so that for a moment the mesh takes twice its memory. Patches with
 /// defects are left and make the report [`is_partial`](Report::is_partial). The patches move along to
 /// the new revision and the new faces.
 ///
