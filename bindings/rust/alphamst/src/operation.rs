@@ -17,8 +17,8 @@ impl Mesh {
     /// their own. Without patches the whole mesh, plane or curved, with windows that the library chooses:
     /// round(alpha * faces) faces, as few singular vertices as it can, boundary and features kept; a
     /// vertex field "size" says where the faces go. A curved mesh keeps to its surface; features of one
-    /// lose and get vertices only where they are straight, with [`Options::edit_boundary`] also where they
-    /// turn by less than 30 degrees.
+    /// lose and get vertices only where they are straight. [`Options::edit_boundary`] lets the boundary
+    /// change, see [`OptionKey::EditBoundary`](crate::OptionKey::EditBoundary).
     ///
     /// Errors: also `Argument` (alpha), `NotFinite`.
     ///
@@ -42,8 +42,8 @@ impl Mesh {
         self.operate(n_patches, |mesh, report| unsafe { sys::amst_adapt(mesh, set, alpha, options, report) })
     }
 
-    /// Replaces each patch by its minimum singularity template; its boundary is kept. Without patches the
-    /// whole mesh; its number of faces stays within a few percent.
+    /// Replaces each patch by its minimum singularity template; its boundary is kept, but for
+    /// [`Options::edit_boundary`]. Without patches the whole mesh; its number of faces stays within a few percent.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
