@@ -147,7 +147,7 @@ module alphamst_mesh
         !> AMST_ERR_PROJECTION, and nothing has changed, if the projection says so, if a result is not
         !> finite or farther off than AMST_OPT_TOLERANCE edges, and if a new vertex turned a face over
         !> there. projection and user must exist until they are replaced or the mesh and its copies are
-        !> destroyed. Not kept in files.
+        !> destroyed. Not kept in files. A handle given away by release keeps it, for which some bytes stay.
         procedure :: set_projection
 
         !> mark(revision): remember points, connectivity, flags and fields under this name.
