@@ -47,6 +47,8 @@ struct Level {
 };
 constexpr std::array<Level, 3> on_way = {{{1, 2, 1}, {0.6, 4, 1.4}, {0.4, 8, 2}}}; // far from the count
 constexpr std::array<Level, 3> mending = {{{1, 0, 1}, {0.3, 2, 1}, {0.1, 8, 3}}};
+constexpr std::array<std::pair<int, double>, 7> respacings = {
+    {{16, 1}, {30, 1}, {60, 1}, {30, 0.6}, {60, 0.6}, {30, 0.4}, {60, 0.4}}}; // windows, part of their shape
 constexpr int tries = 4, tries_at_features = 16;
 constexpr double good_way = 0.7; // of what was missing, or less, is what shall be left
 constexpr int large_on_way = 60;
@@ -154,12 +156,13 @@ private:
             return sizing_->wished() ? by_area
                                      : std::max(by_area, longer * reference_.boundary->present_length(place));
         };
-        for (const int size : {16, 30, 60, 30}) {
+        // Steep changes of sizes have to go on in several steps, and close corners that open later.
+        for (const auto &[size, shape] : respacings) {
             Pass pass;
             pass.purpose = Purpose::respace;
             pass.size = size;
-            pass.slack = 0.2;
-            pass.shape = wish(1);
+            pass.slack = 1; // their number comes later
+            pass.shape = wish(shape);
             pass.most_added = 8;
             if (run(pass, "respace", 0, 0) > 0)
                 smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);

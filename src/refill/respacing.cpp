@@ -17,9 +17,9 @@ using Eigen::Vector3d;
 using surface::CurvePlace;
 
 constexpr int samples_per_edge = 4; // of wanted lengths along a run
-// Of log2(length / wanted length) of edges, squared: as much may stay where all goes by sizes; and as much may
-// come for fewer singular vertices. With .09, a lake whose boundary may change keeps 36 of them instead of 29,
-// with .5 it has 24, but in others one face in seven more is longer than wide.
+// Of log2(length / wanted length) of edges, squared: as much may stay where all goes by sizes; and as much
+// may come for fewer singular vertices. With .09, a lake whose boundary may change keeps 36 of them instead
+// of 29, with .5 it has 24, but in others one face in seven more is longer than wide.
 constexpr double small_error = 0.09, tolerable_error = 0.25;
 // Part of the error that is to be left where vertices go elsewhere for the sake of sizes alone.
 constexpr double worthwhile = 0.6;
@@ -102,8 +102,12 @@ void Respacing::measure(Run &run) const {
     for (std::size_t i = run.first; i < run.first + at(run.edges); ++i) {
         const Vector3d a = reference::point_of(mesh_, window_.loop[i % n]),
                        b = reference::point_of(mesh_, window_.loop[(i + 1) % n]);
-        run.error += squared_log((b - a).norm() / edge_length_(boundary_.places[at(window_.loop[i % n])]));
+        const double error =
+            squared_log((b - a).norm() / edge_length_(boundary_.places[at(window_.loop[i % n])]));
+        run.error += error;
+        run.worst = std::max(run.worst, error);
     }
+    run.fine = run.error <= small_error * run.edges && run.worst <= tolerable_error;
 }
 
 double Respacing::error(const Run &run, int edges) const { return edges * squared_log(run.wanted / edges); }
@@ -158,24 +162,23 @@ std::vector<Respacing::Counts> Respacing::near(bool wished) const {
 }
 
 std::vector<Respacing::Counts> Respacing::towards() const {
+    std::vector<Counts> list;
+    if (std::ranges::all_of(runs_, &Run::fine))
+        return list;
     double before = 0;
     for (const Run &run : runs_)
         before += run.error;
-    std::vector<Counts> list;
     for (const double part : parts_of_way) {
         Counts counts;
-        int edges = 0;
-        for (const Run &run : runs_) {
-            counts.push_back(
-                std::max(1, static_cast<int>(std::lround(run.edges + part * (run.wanted - run.edges)))));
-            edges += counts.back();
-        }
+        for (const Run &run : runs_)
+            counts.push_back(run.fine ? run.edges
+                                      : std::max(1, static_cast<int>(std::lround(
+                                                        run.edges + part * (run.wanted - run.edges)))));
         make_even(counts);
         double after = 0;
         for (std::size_t r = 0; r < runs_.size(); ++r)
-            after += error(runs_[r], counts[r]);
-        if (before > small_error * edges && after <= worthwhile * before &&
-            (list.empty() || list.back() != counts))
+            after += changes(r, counts, true) ? error(runs_[r], counts[r]) : runs_[r].error;
+        if (after <= worthwhile * before && (list.empty() || list.back() != counts))
             list.push_back(std::move(counts));
     }
     return list;
@@ -263,7 +266,7 @@ std::optional<patch::Window> Respacing::window(const Counts &counts, bool everyw
     changed.inside.clear();
     std::vector<const Run *> starts(n, nullptr);
     for (const Run &run : runs_)
-        if (everywhere || counts[static_cast<std::size_t>(&run - runs_.data())] != run.edges)
+        if (changes(static_cast<std::size_t>(&run - runs_.data()), counts, everywhere))
             starts[run.first] = &run;
     // From a vertex that stays.
     std::size_t first = 0;
