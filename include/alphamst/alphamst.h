@@ -694,10 +694,12 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   SIZE_WEIGHT     A R S        A R             A R S C       A R C         S of plane patches of any mesh
  *   TRANSITION      A R          A R             A R C         A R C
  *   LEAST_SIZE      A R          A R             A R C         A R C
- *   TOLERANCE       A R          A R             A R           A R           in a plane: with EDIT_BOUNDARY
- * only CHART           -            A R             -             A R C ALIGN           -            A R - A
- * R field "cross"   -            A R             -             A R           with ALIGN only field "size" A R
- * A R             A R           A R STRATEGY        -            -               A             A
+ *   TOLERANCE       A R          A R             A R           A R           plane: if EDIT_BOUNDARY is 1
+ *   CHART           -            A R             -             A R C
+ *   ALIGN           -            A R             -             A R
+ *   field "cross"   -            A R             -             A R           with ALIGN only
+ *   field "size"    A R          A R             A R           A R
+ *   STRATEGY        -            -               A             A
  *   EDIT_BOUNDARY   A R          -               A R           A
  *
  * Patches on a plane: all are plane, and the mesh has no surface yet. A plane patch on a curved mesh needs no

@@ -9,6 +9,7 @@
 
 #include "adapt/expected_gain.h"
 #include "adapt/mend_sizes.h"
+#include "adapt/respace.h"
 #include "adapt/sweep.h"
 #include "reference/sizing_field.h"
 #include "reference/statistics.h"
@@ -47,8 +48,6 @@ struct Level {
 };
 constexpr std::array<Level, 3> on_way = {{{1, 2, 1}, {0.6, 4, 1.4}, {0.4, 8, 2}}}; // far from the count
 constexpr std::array<Level, 3> mending = {{{1, 0, 1}, {0.3, 2, 1}, {0.1, 8, 3}}};
-constexpr std::array<std::pair<int, double>, 7> respacings = {
-    {{16, 1}, {30, 1}, {60, 1}, {30, 0.6}, {60, 0.6}, {30, 0.4}, {60, 0.4}}}; // windows, part of their shape
 constexpr int tries = 4, tries_at_features = 16;
 constexpr double good_way = 0.7; // of what was missing, or less, is what shall be left
 constexpr int large_on_way = 60;
@@ -142,31 +141,13 @@ private:
         reference_.face_weight = sizing_->total(mesh_) / static_cast<double>(sweep_.wanted());
     }
 
-    // Vertices of the boundary come and go where its edges are not as long as is wanted.
     void respace() {
         if (!settings_.edit_boundary || !sizing_ || reference_.surface)
             return;
-        const double longer =
-            std::sqrt(static_cast<double>(mesh_.n_faces()) / static_cast<double>(sweep_.wanted()));
-        reference_.boundary = reference::boundary_of(mesh_, longer);
-        reference_.edge_length = [this, longer](surface::CurvePlace place) {
-            const Eigen::Vector3d point = reference_.boundary->curves->at(place);
-            const double by_area = std::sqrt(reference_.face_weight) * sizing_->edge_length(point);
-            // Faces at the boundary that are longer than wide stay so.
-            return sizing_->wished() ? by_area
-                                     : std::max(by_area, longer * reference_.boundary->present_length(place));
-        };
-        // Steep changes of sizes have to go on in several steps, and close corners that open later.
-        for (const auto &[size, shape] : respacings) {
-            Pass pass;
-            pass.purpose = Purpose::respace;
-            pass.size = size;
-            pass.slack = 1; // their number comes later
-            pass.shape = wish(shape);
-            pass.most_added = 8;
-            if (run(pass, "respace", 0, 0) > 0)
+        want_boundary(mesh_, reference_, *sizing_, sweep_.wanted());
+        for (const Respacing &pass : respacings)
+            if (run(pass_of(pass, wish(pass.shape)), "respace", 0, 0) > 0)
                 smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
-        }
     }
 
     // Faces go to where a size field wants them, before singularities are saved.

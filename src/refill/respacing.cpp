@@ -264,69 +264,73 @@ std::optional<patch::Window> Respacing::window(const Counts &counts, bool everyw
     changed.loop.clear();
     changed.outside.clear();
     changed.inside.clear();
-    std::vector<const Run *> starts(n, nullptr);
-    for (const Run &run : runs_)
-        if (changes(static_cast<std::size_t>(&run - runs_.data()), counts, everywhere))
-            starts[run.first] = &run;
-    // From a vertex that stays.
-    std::size_t first = 0;
-    for (const Run &run : runs_)
-        if (starts[run.first] != nullptr && run.first + at(run.edges) > n)
-            first = run.first;
-    const auto keep = [&](std::size_t i, int parent) {
-        changed.loop.push_back(window_.loop[i]);
-        changed.inside.push_back(window_.inside[i]);
-        changed.outside.push_back(window_.outside[i]);
-        changed.parents.push_back(parent);
-    };
+    std::vector<int> starts(n, -1); // [loop] run
+    std::size_t first = 0;          // a vertex that stays
+    for (std::size_t r = 0; r < runs_.size(); ++r)
+        if (changes(r, counts, everywhere)) {
+            starts[runs_[r].first] = static_cast<int>(r);
+            if (runs_[r].first + at(runs_[r].edges) > n)
+                first = runs_[r].first;
+        }
     for (std::size_t k = 0; k < n;) {
         const std::size_t i = (first + k) % n;
-        const Run *run = starts[i];
-        if (run == nullptr) {
-            keep(i, -1);
+        if (starts[i] < 0) {
+            keep(i, -1, changed);
             ++k;
-            continue;
-        }
-        const auto found = places(*run, counts[static_cast<std::size_t>(run - runs_.data())]);
-        if (!found)
+        } else if (const Run &run = runs_[at(starts[i])]; add(run, counts[at(starts[i])], changed)) {
+            k += at(run.edges);
+        } else {
             return std::nullopt;
-        // All edges of a run are alike but for their origin: that of the old edge at the middle.
-        double before = 0;
-        std::vector<double> ends; // of the old edges, along the run
-        for (int e = 1; e <= run->edges; ++e) {
-            const CurvePlace end = boundary_.places[at(window_.loop[(i + at(e)) % n])];
-            ends.push_back(e == run->edges ? run->length : boundary_.curves->way(run->from, end));
         }
-        const auto parent = [&](double middle) {
-            const auto e = std::min<std::size_t>(
-                static_cast<std::size_t>(std::lower_bound(ends.begin(), ends.end(), middle) - ends.begin()),
-                ends.size() - 1);
-            return window_.loop[(i + e) % n]; // where it starts
-        };
-        for (std::size_t j = 0; j <= found->size(); ++j) {
-            const double after =
-                j < found->size() ? boundary_.curves->way(run->from, (*found)[j]) : run->length;
-            const int edge = parent((before + after) / 2);
-            if (j == 0) {
-                keep(i, edge);
-            } else {
-                const Vector3d p = boundary_.curves->at((*found)[j - 1]);
-                changed.loop.push_back(-1 - static_cast<int>(changed.added.size()));
-                changed.inside.push_back(0);
-                changed.outside.push_back(0);
-                changed.parents.push_back(edge);
-                changed.added.emplace_back(p.x(), p.y(), p.z());
-                changed.added_places.push_back((*found)[j - 1]);
-            }
-            before = after;
-        }
-        for (int e = 1; e < run->edges; ++e)
-            changed.interior.push_back(window_.loop[(i + at(e)) % n]);
-        k += at(run->edges);
     }
     std::sort(changed.interior.begin(), changed.interior.end());
     set_angles(changed);
     return changed;
+}
+
+void Respacing::keep(std::size_t i, int parent, patch::Window &changed) const {
+    changed.loop.push_back(window_.loop[i]);
+    changed.inside.push_back(window_.inside[i]);
+    changed.outside.push_back(window_.outside[i]);
+    changed.parents.push_back(parent);
+}
+
+// All edges of a run are alike but for their origin: that of the old edge at the middle.
+int Respacing::parent(const Run &run, double along) const {
+    const std::size_t n = window_.loop.size();
+    int e = 1;
+    while (e < run.edges &&
+           boundary_.curves->way(run.from, boundary_.places[at(window_.loop[(run.first + at(e)) % n])]) <
+               along)
+        ++e;
+    return window_.loop[(run.first + at(e) - 1) % n];
+}
+
+// The first vertex of the run and new ones up to its end; false where the curve would be missed.
+bool Respacing::add(const Run &run, int edges, patch::Window &changed) const {
+    const std::optional<Places> found = places(run, edges);
+    if (!found)
+        return false;
+    double before = 0;
+    for (std::size_t j = 0; j <= found->size(); ++j) {
+        const double after = j < found->size() ? boundary_.curves->way(run.from, (*found)[j]) : run.length;
+        const int old = parent(run, (before + after) / 2);
+        if (j == 0) {
+            keep(run.first, old, changed);
+        } else {
+            const Vector3d p = boundary_.curves->at((*found)[j - 1]);
+            changed.loop.push_back(-1 - static_cast<int>(changed.added.size()));
+            changed.inside.push_back(0);
+            changed.outside.push_back(0);
+            changed.parents.push_back(old);
+            changed.added.emplace_back(p.x(), p.y(), p.z());
+            changed.added_places.push_back((*found)[j - 1]);
+        }
+        before = after;
+    }
+    for (int e = 1; e < run.edges; ++e)
+        changed.interior.push_back(window_.loop[(run.first + at(e)) % window_.loop.size()]);
+    return true;
 }
 
 void Respacing::set_angles(patch::Window &window) const {
