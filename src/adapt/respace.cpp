@@ -5,7 +5,7 @@
 
 namespace alphamst::adapt {
 
-Pass pass_of(const Respacing &respacing, const refill::ShapeBounds &shape) {
+Pass pass_of(const RespacingPass &respacing, const refill::ShapeBounds &shape) {
     constexpr int most_added = 8; // sizes change with singular vertices
     Pass pass;
     pass.purpose = Purpose::respace;

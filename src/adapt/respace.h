@@ -8,16 +8,16 @@
 
 namespace alphamst::adapt {
 
-struct Respacing {
+struct RespacingPass {
     int size;     // of its windows
     double shape; // part of the shape that windows keep
 };
 
 // Steep changes of sizes have to go on in several steps, and close corners that open later.
-constexpr std::array<Respacing, 7> respacings = {
+constexpr std::array<RespacingPass, 7> respacings = {
     {{16, 1}, {30, 1}, {60, 1}, {30, 0.6}, {60, 0.6}, {30, 0.4}, {60, 0.4}}};
 
-Pass pass_of(const Respacing &respacing, const refill::ShapeBounds &shape);
+Pass pass_of(const RespacingPass &respacing, const refill::ShapeBounds &shape);
 
 // Gives the reference of a plane mesh its boundary and how long edges on it shall be, once it has its sizes:
 // as the field "size" says, or as long as they are, times the change of faces, but no shorter than these are

@@ -174,6 +174,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_RESULT_SHORTEST_EDGE_AFTER = 1010
     integer(c_int32_t), parameter :: AMST_RESULT_ASPECT_RATIO_BEFORE = 1011
     integer(c_int32_t), parameter :: AMST_RESULT_ASPECT_RATIO_AFTER = 1012
+    integer(c_int32_t), parameter :: AMST_RESULT_AREA_GAINED = 1013
     integer(c_int32_t), parameter :: AMST_RESULT_MAX = 2147483647
 
     ! amst_log_level

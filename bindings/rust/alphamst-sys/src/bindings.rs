@@ -185,6 +185,7 @@ pub const AMST_RESULT_SHORTEST_EDGE_BEFORE: amst_result = 1009;
 pub const AMST_RESULT_SHORTEST_EDGE_AFTER: amst_result = 1010;
 pub const AMST_RESULT_ASPECT_RATIO_BEFORE: amst_result = 1011;
 pub const AMST_RESULT_ASPECT_RATIO_AFTER: amst_result = 1012;
+pub const AMST_RESULT_AREA_GAINED: amst_result = 1013;
 pub const AMST_RESULT_MAX: amst_result = 2147483647;
 pub type amst_result = ::std::os::raw::c_int;
 pub const AMST_LOG_OFF: amst_log_level = -1;
