@@ -29,6 +29,11 @@ constexpr double some_room = 1.5, no_room = 1;
 // sizes inside; and one in so many faces.
 constexpr std::int64_t most_singular = 4, seldom = 100;
 
+// In singular vertices, of twice the largest aspect ratio, where the boundary may change: rows can leave at
+// the boundary then, and of a wall that is refined in one place few singular vertices leave a bundle of long
+// faces right across the mesh, of the right areas.
+constexpr double price_of_aspect = 6;
+
 bool rose(const Outcome &outcome) { return outcome.singular_after > outcome.singular_before; }
 
 class Rework {
@@ -236,9 +241,11 @@ private:
     std::tuple<bool, bool, std::int64_t, double> price(const Outcome &of) const {
         const reference::SizeError sizes{of.size_error_after, std::log2(of.least_area_after),
                                          of.shortest_edge_after};
+        const double aspect =
+            settings_.edit_boundary ? price_of_aspect * std::log2(of.aspect_ratio_after) : 0;
         return {missing(of) != 0, missing(of) != 0 && rose(of), missing(of),
                 static_cast<double>(of.singular_after) +
-                    refill::price_of(sizes, of.quality_after, refill::enough)};
+                    refill::price_of(sizes, of.quality_after, refill::enough) + aspect};
     }
 
     mesh::QuadMesh &mesh_;

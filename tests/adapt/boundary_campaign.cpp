@@ -15,7 +15,7 @@ namespace {
 #ifdef ALPHAMST_FULL_CAMPAIGN
 constexpr int n_runs = 1000;
 #else
-constexpr int n_runs = 150;
+constexpr int n_runs = 60;
 #endif
 
 constexpr std::array<double, 8> alphas{0.3, 0.5, 0.7, 1, 1, 1.5, 2, 4};
