@@ -26,6 +26,13 @@ double stretch(const mesh::QuadMesh &mesh, int face) {
     return reference::least_quality(mesh, one) >= straight ? reference::largest_aspect_ratio(mesh, one) : 0;
 }
 
+std::vector<double> stretches_of(const mesh::QuadMesh &mesh) {
+    std::vector<double> stretches;
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        stretches.push_back(stretch(mesh, f));
+    return stretches;
+}
+
 // A layer goes on: two faces beside it are stretched, too.
 bool goes_on(const mesh::QuadMesh &mesh, int face, const std::vector<double> &stretches) {
     int beside = 0;
@@ -37,17 +44,21 @@ bool goes_on(const mesh::QuadMesh &mesh, int face, const std::vector<double> &st
 
 } // namespace
 
-std::int64_t hold_layers(mesh::QuadMesh &mesh, std::int64_t wanted) {
-    if (static_cast<double>(wanted) < coarser * mesh.n_faces())
-        return 0;
-    std::vector<double> stretches;
-    for (int f = 0; f < mesh.n_faces(); ++f)
-        stretches.push_back(stretch(mesh, f));
+std::vector<int> layers_of(const mesh::QuadMesh &mesh) {
+    const std::vector<double> stretches = stretches_of(mesh);
     std::vector<int> faces;
     for (int f = 0; f < mesh.n_faces(); ++f)
         if (stretches[at(f)] >= stretched && (mesh.face_flags[at(f)] & mesh::fixed) == 0 &&
             goes_on(mesh, f, stretches))
             faces.push_back(f);
+    return faces;
+}
+
+std::int64_t hold_layers(mesh::QuadMesh &mesh, std::int64_t wanted) {
+    if (static_cast<double>(wanted) < coarser * mesh.n_faces())
+        return 0;
+    const std::vector<double> stretches = stretches_of(mesh);
+    std::vector<int> faces = layers_of(mesh);
     std::stable_sort(faces.begin(), faces.end(),
                      [&](int a, int b) { return stretches[at(a)] > stretches[at(b)]; });
     faces.resize(std::min(faces.size(), at(mesh.n_faces() / 2)));

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "adapt/chord_prepass.h"
+#include "adapt/columns.h"
 #include "adapt/divide.h"
 #include "adapt/layers.h"
 #include "adapt/pieces.h"
@@ -82,10 +83,25 @@ private:
                                     of.quality_after >= begin_.quality_before + least_gain);
     }
 
+    void note_begin() {
+        reference::count(mesh_, begin_.valences_before, begin_.singular_before);
+        begin_.quality_before = reference::least_quality(mesh_);
+        begin_.aspect_ratio_before = begin_.aspect_ratio_after = reference::largest_aspect_ratio(mesh_);
+        // The reference gives a curved mesh its surface.
+        sizes_.emplace(mesh_, reference::reference_of(mesh_), begin_.faces_wanted);
+        reference::tell_sizes_before(sizes_->error(mesh_), begin_);
+    }
+
     // Boundary layers stay as they are, unless the mesh cannot have its count so.
     Outcome search_around_layers() {
+        note_begin();
         if (mesh_.dim() != 2 || mesh_.field(Entity::vertex, "size") != nullptr)
             return search();
+        if (settings_.edit_boundary && exact_ && adapt_columns(mesh_, begin_.faces_wanted, settings_))
+            if (const Outcome outcome = outcome_of(mesh_); missing(outcome) == 0) {
+                tell_(1, "columns");
+                return outcome;
+            }
         if (hold_layers(mesh_, begin_.faces_wanted) == 0)
             return search();
         mesh::QuadMesh begun = mesh_;
@@ -103,12 +119,6 @@ private:
     }
 
     Outcome search() {
-        reference::count(mesh_, begin_.valences_before, begin_.singular_before);
-        begin_.quality_before = reference::least_quality(mesh_);
-        begin_.aspect_ratio_before = begin_.aspect_ratio_after = reference::largest_aspect_ratio(mesh_);
-        // The reference gives a curved mesh its surface.
-        sizes_.emplace(mesh_, reference::reference_of(mesh_), begin_.faces_wanted);
-        reference::tell_sizes_before(sizes_->error(mesh_), begin_);
         if (settings_.align && mesh_.surface)
             cross_field_.emplace(mesh_);
         chord_prepass(mesh_, begin_.faces_wanted, settings_, tell_);
