@@ -734,11 +734,14 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            of the faces there (half as long at alpha 4), but no shorter than the faces are wide. New ones
  *            lie on the boundary as it was when an operation first had this option, or see
  *            amst_mesh_set_projection, and new edges miss it by TOLERANCE wanted edges at most. These stay:
- *            vertices with a flag, those where markers change (not the tags of Gmsh's curves in a file
- * without physical groups), where something ends, and corners, where the boundary turns by more than 60
- * degrees and does not turn back within two edges. New edges have the marker, the flags and the origin of the
- * one at their middle. On a curved mesh, and with STRATEGY 1, 1 lets chords take vertices from features and
- * boundary where these turn by less than 30 degrees, as coarse meshes of machine parts may need; with 0
+ *            vertices with a flag, those where markers change (not the tags of curves in a file of Gmsh
+ *            without physical groups), where something ends, and corners, where the boundary turns by
+ *            more than 60 degrees and does not turn back within two edges. New edges have the marker,
+ *            the flags and the origin of the one at their middle. Where a whole mesh is made of rows and
+ *            columns, with stretched rows along the boundary, columns alone come and go: rows keep their
+ *            heights.
+ *            On a curved mesh, and with STRATEGY 1, 1 lets chords take vertices from features and boundary
+ *            where these turn by less than 30 degrees, as machine parts may need; with 0
  *            features lose and get vertices only where they are straight. With STRATEGY 0 there are chords
  *            only where a curved mesh that is nearly regular and has no field "size" begins with them.
  * Where a curved mesh cannot have the faces wanted, no more singular vertices are made than there were.
