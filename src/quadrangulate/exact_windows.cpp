@@ -20,11 +20,13 @@ constexpr std::array<std::int64_t, TriangleDual::stages> weight_of_stage{0, 10'0
 constexpr std::array<std::size_t, 3> sizes{48, 192, 768};
 constexpr std::array<std::size_t, 3> least_windows{500, 100, 30};
 constexpr std::array<std::size_t, 3> nodes_per_window{50, 300, 10000};
+// So much of a window, from where it was begun, is as good as one begun there would make it, nearly.
+constexpr std::size_t inner_part = 4;
 
 class Windows {
 public:
     Windows(const TriangleDual &dual, Matching &matching)
-        : dual_(dual), matching_(matching), place_(dual.n_nodes(), -1) {}
+        : dual_(dual), matching_(matching), place_(dual.n_nodes(), -1), seen_in_(dual.n_nodes()) {}
 
     void run() {
         std::vector<std::int32_t> due;
@@ -36,8 +38,12 @@ public:
         for (std::size_t i = 0; i < sizes.size(); ++i) {
             std::erase_if(due, [&](std::int32_t node) { return !is_bad(node); });
             for (std::size_t n = 0; const std::int32_t node : due)
-                if (is_bad(node) && n++ < least_windows[i] + dual_.n_nodes() / nodes_per_window[i])
+                if (is_bad(node) && seen_in_[at(node)] <= i &&
+                    n++ < least_windows[i] + dual_.n_nodes() / nodes_per_window[i]) {
                     solve(node, sizes[i]);
+                    for (std::size_t k = 0; k < nodes_.size() / inner_part; ++k)
+                        seen_in_[at(nodes_[k])] = static_cast<std::uint8_t>(i + 1);
+                }
         }
     }
 
@@ -141,6 +147,8 @@ private:
     Matching &matching_;
     std::vector<std::int32_t> place_; // of each node in the window, -1: not in it
     std::vector<std::int32_t> nodes_;
+    std::vector<std::uint8_t>
+        seen_in_; // of each node, 1 more than the last size of a window around it; 0: none
 };
 
 } // namespace
