@@ -19,9 +19,10 @@ namespace {
 
 // Without triangles.
 io::Arrays all_quad(const Context &context, io::Arrays arrays, const Options &options) {
+    std::vector<std::array<std::int32_t, 2>> curves =
+        edges_to_keep(options, context.index_base, arrays.faces);
     if (!mesh::any_triangle(arrays.faces))
         return arrays;
-    std::vector<std::array<std::int32_t, 2>> curves;
     for (const auto &[vertices, marker] : arrays.marked_edges)
         curves.push_back(vertices);
     quadrangulate::QuadArrays quads = quads_of(

@@ -77,10 +77,11 @@ std::span<const std::int32_t> faces_of(const Strided<Id> &corners, int index_bas
 
 mesh::QuadMesh build(const Context &context, int dim, std::span<const double> points,
                      std::span<const std::int32_t> faces, const Options &options) {
+    const auto edges = edges_to_keep(options, context.index_base, faces);
     if (!mesh::any_triangle(faces))
         return mesh::QuadMesh::build(dim, points, faces);
     const quadrangulate::QuadArrays quads =
-        quads_of(context, "amst_mesh_create", {points, faces, {}, {}}, options);
+        quads_of(context, "amst_mesh_create", {points, faces, {}, edges}, options);
     return mesh::QuadMesh::build(dim, quads.points, quads.faces);
 }
 
