@@ -42,9 +42,9 @@ struct Settings {
     double least_size = 0.125; // area over wanted area: no smaller face is made where there was none
     double tolerance = 0.5;    // of the distance to the surface both ways, in wanted edges
     ChartKind chart = ChartKind::plane_or_circle;
-    bool edit_boundary = false; // chords that end on it, or cross features, may go from whole curved meshes
-    bool align = false;         // whole curved meshes: edges along the cross field
-    int threads = 1;            // 0: all cores
+    bool edit_boundary = false;     // vertices come and go on it; chords of curved meshes may end on it
+    bool align = false;             // whole curved meshes: edges along the cross field
+    int threads = 1;                // 0: all cores
     std::shared_ptr<const Log> log; // null: nobody looks
 
     bool tells(int level) const { return log != nullptr && log->level >= level; }

@@ -127,7 +127,7 @@ enum amst_carry {
     AMST_CARRY_DROP = 0,     /* removed when connectivity changes */
     AMST_CARRY_INHERIT = 1,  /* value of the nearest entity that was replaced */
     AMST_CARRY_LINEAR = 2,   /* interpolated linearly; vertices */
-    AMST_CARRY_CONSERVE = 3, /* averaged by area, integral kept; faces */
+    AMST_CARRY_CONSERVE = 3, /* averaged by area, integral kept (mean, where the area changes); faces */
     AMST_CARRY_MAX = 0x7fffffff
 };
 
@@ -273,6 +273,7 @@ enum amst_result {
     AMST_RESULT_SHORTEST_EDGE_AFTER = 1010,
     AMST_RESULT_ASPECT_RATIO_BEFORE = 1011, /* largest AMST_METRIC_ASPECT_RATIO */
     AMST_RESULT_ASPECT_RATIO_AFTER = 1012,
+    AMST_RESULT_AREA_GAINED = 1013, /* area after - before; 0 where AMST_OPT_EDIT_BOUNDARY is not set */
     AMST_RESULT_MAX = 0x7fffffff
 };
 
@@ -497,7 +498,9 @@ AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, in
  *            point of them. Where they are plane, linear functions are reproduced.
  *  CONSERVE  for faces: what the face covers of those faces, averaged by area. The sum of
  *            value * AMST_METRIC_AREA stays the same over each connected set of them; so a
- *            face that was kept but changed its shape gets a new value, too.
+ *            face that was kept but changed its shape gets a new value, too. Where the set itself
+ *            gains or loses area in a plane, as AMST_OPT_EDIT_BOUNDARY may do, its mean stays
+ *            instead, so that constants do; AMST_RESULT_AREA_GAINED tells how much.
  * No rule leaves the range of the values it takes from, but for CONSERVE on curved faces.
  * A vertex that moves keeps its values, as in amst_mesh_set_points, which leaves all
  * fields as they are. Names are UTF-8. The library reads "size" (vertices, 1 component):
@@ -700,10 +703,12 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   SIZE_WEIGHT     A R S        A R             A R S C       A R C         S of plane patches of any mesh
  *   TRANSITION      A R          A R             A R C         A R C
  *   LEAST_SIZE      A R          A R             A R C         A R C
- *   TOLERANCE       A R          A R             A R           A R           in a plane: with EDIT_BOUNDARY
- * only CHART           -            A R             -             A R C ALIGN           -            A R - A
- * R field "cross"   -            A R             -             A R           with ALIGN only field "size" A R
- * A R             A R           A R STRATEGY        -            -               A             A
+ *   TOLERANCE       A R          A R             A R           A R           plane: if EDIT_BOUNDARY is 1
+ *   CHART           -            A R             -             A R C
+ *   ALIGN           -            A R             -             A R
+ *   field "cross"   -            A R             -             A R           with ALIGN only
+ *   field "size"    A R          A R             A R           A R
+ *   STRATEGY        -            -               A             A
  *   EDIT_BOUNDARY   A R          -               A R           A
  *
  * Patches on a plane: all are plane, and the mesh has no surface yet. A plane patch on a curved mesh needs no

@@ -8,7 +8,9 @@
 #include <numeric>
 
 #include "adapt/expected_gain.h"
+#include "adapt/levels.h"
 #include "adapt/mend_sizes.h"
+#include "adapt/respace.h"
 #include "adapt/sweep.h"
 #include "reference/sizing_field.h"
 #include "reference/statistics.h"
@@ -38,21 +40,10 @@ constexpr int collapsed_window = 60;
 constexpr double collapsed_shape = 0.4; // of the shape that windows keep
 constexpr double many = 0.1;            // singular vertices, for each face
 
-// What faces that are missing may cost, little by little: part of the shape that windows keep, singularities
-// added, tolerance of the distance to the surface.
-struct Level {
-    double shape;
-    int added;
-    double tolerance;
-};
-constexpr std::array<Level, 3> on_way = {{{1, 2, 1}, {0.6, 4, 1.4}, {0.4, 8, 2}}}; // far from the count
-constexpr std::array<Level, 3> mending = {{{1, 0, 1}, {0.3, 2, 1}, {0.1, 8, 3}}};
 constexpr int tries = 4, tries_at_features = 16;
 constexpr double good_way = 0.7; // of what was missing, or less, is what shall be left
 constexpr int large_on_way = 60;
 constexpr std::size_t most_sizes = 3; // of windows, the most promising
-constexpr std::array<Level, 6> levels = {
-    {{1, 0, 1}, {0.6, 0, 1.4}, {0.6, 2, 1.4}, {0.6, 4, 2}, {0.4, 8, 2}, {0.2, 16, 3}}};
 
 // Of the fillings to try that a patch has, a window has so many.
 constexpr int window_candidates = 3, patch_candidates = 16;
@@ -140,30 +131,13 @@ private:
         reference_.face_weight = sizing_->total(mesh_) / static_cast<double>(sweep_.wanted());
     }
 
-    // Vertices of the boundary come and go where its edges are not as long as is wanted.
     void respace() {
         if (!settings_.edit_boundary || !sizing_ || reference_.surface)
             return;
-        const double longer =
-            std::sqrt(static_cast<double>(mesh_.n_faces()) / static_cast<double>(sweep_.wanted()));
-        reference_.boundary = reference::boundary_of(mesh_, longer);
-        reference_.edge_length = [this, longer](surface::CurvePlace place) {
-            const Eigen::Vector3d point = reference_.boundary->curves->at(place);
-            const double by_area = std::sqrt(reference_.face_weight) * sizing_->edge_length(point);
-            // Faces at the boundary that are longer than wide stay so.
-            return sizing_->wished() ? by_area
-                                     : std::max(by_area, longer * reference_.boundary->present_length(place));
-        };
-        for (const int size : {16, 30, 60, 30}) {
-            Pass pass;
-            pass.purpose = Purpose::respace;
-            pass.size = size;
-            pass.slack = 0.2;
-            pass.shape = wish(1);
-            pass.most_added = 8;
-            if (run(pass, "respace", 0, 0) > 0)
+        want_boundary(mesh_, reference_, *sizing_, sweep_.wanted());
+        for (const RespacingPass &pass : respacings)
+            if (run(pass_of(pass, wish(pass.shape)), "respace", 0, 0) > 0)
                 smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
-        }
     }
 
     // Faces go to where a size field wants them, before singularities are saved.

@@ -99,6 +99,15 @@ patch::GrowthPlan Sweep::plan_window(int vertex, int size, Random random) const 
     return plan;
 }
 
+// Of a window that gets other vertices on the boundary, and as many faces as go with them.
+refill::Goal Sweep::respaced(refill::Goal goal, std::int64_t now, double target_count) {
+    goal.respace = goal.forbid_old = true;
+    goal.faces = std::max<std::int64_t>(1, std::llround(target_count));
+    goal.fewest = std::max<std::int64_t>(1, std::min(now, goal.faces) / 2);
+    goal.most = 2 * std::max(now, goal.faces);
+    return goal;
+}
+
 std::optional<refill::Goal> Sweep::goal_of(const Pass &pass, const std::vector<int> &faces) const {
     double target_count = 0;
     for (const int f : faces)
@@ -123,13 +132,8 @@ std::optional<refill::Goal> Sweep::goal_of(const Pass &pass, const std::vector<i
         goal.faces = goal.fewest = goal.most = fewest;
         return goal;
     }
-    if (pass.purpose == Purpose::respace) {
-        goal.respace = goal.forbid_old = true;
-        goal.faces = std::max<std::int64_t>(1, std::llround(target_count));
-        goal.fewest = std::max<std::int64_t>(1, std::min(now, goal.faces) / 2);
-        goal.most = 2 * std::max(now, goal.faces);
-        return goal;
-    }
+    if (pass.purpose == Purpose::respace)
+        return respaced(goal, now, target_count);
     if (pass.purpose != Purpose::fewer_singularities && pass.purpose != Purpose::wander &&
         pass.purpose != Purpose::turn) {
         const bool spread = pass.purpose == Purpose::spread;

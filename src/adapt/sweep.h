@@ -78,6 +78,7 @@ private:
     int partner(int vertex) const;
     bool take(const refill::Place &place);
     std::vector<int> choose_seeds(const Pass &pass);
+    static refill::Goal respaced(refill::Goal goal, std::int64_t now, double target_count);
     std::optional<refill::Goal> goal_of(const Pass &pass, const std::vector<int> &faces) const;
     bool welcome(const Pass &pass, const refill::Replacement &found) const;
     void try_windows(const Pass &pass, Round &round);

@@ -123,6 +123,15 @@ private:
         return *of_pieces;
     }
 
+    // Nothing else is tried. Where the boundary changes as well, few singular vertices say less of the rest.
+    bool does(const Outcome &outcome, std::int64_t few) const {
+        if (missing(outcome) != 0 || outcome.singular_after > few)
+            return false;
+        return !settings_.edit_boundary ||
+               (mesh_.field(Entity::vertex, "size") == nullptr &&
+                outcome.quality_after >= std::min(refill::enough, outcome.quality_before));
+    }
+
     // Of small meshes, with what windows then gain.
     std::optional<Outcome> by_pieces(bool &suffices) {
         const std::optional<std::size_t> pieces = refill_pieces(
@@ -132,7 +141,7 @@ private:
         Outcome outcome = outcome_of(mesh_);
         const std::int64_t few =
             most_singular * static_cast<std::int64_t>(*pieces) + begin_.faces_wanted / seldom;
-        suffices = missing(outcome) == 0 && outcome.singular_after <= few;
+        suffices = does(outcome, few);
         if (suffices) {
             tell_(1, "pieces");
             return outcome;
@@ -143,7 +152,7 @@ private:
             outcome = result;
             mesh_ = std::move(tried);
         }
-        suffices = missing(outcome) == 0 && outcome.singular_after <= std::max(begin_.singular_before, few);
+        suffices = does(outcome, std::max(begin_.singular_before, few));
         return outcome;
     }
 

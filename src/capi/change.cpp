@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "capi/guard.h"
 #include "index.h"
+#include "reference/locate.h"
 #include "reference/statistics.h"
 #include "transfer/carry.h"
 
@@ -231,6 +233,24 @@ void Change::log(const std::vector<Outcome> &outcomes, const std::vector<std::in
                            std::to_string(report.all.seconds) + " s");
 }
 
+void Change::write_areas(Report &report) const {
+    const auto area = [](const mesh::QuadMesh &mesh, std::span<const int> faces) {
+        double sum = 0;
+        for (const int f : faces)
+            sum += quality::measure(quality::Metric::area, reference::quad_of(mesh, f), 0);
+        return sum;
+    };
+    const auto all = [](const mesh::QuadMesh &mesh) {
+        std::vector<int> faces(at(mesh.n_faces()));
+        std::iota(faces.begin(), faces.end(), 0);
+        return faces;
+    };
+    report.all.area_gained = area(*copy_, all(*copy_)) - area(*mesh_->current, all(*mesh_->current));
+    for (std::size_t p = 0; p < report.patches.size(); ++p)
+        report.patches[p].area_gained =
+            area(*copy_, regions_[p].faces) - area(*mesh_->current, patches_->regions[p].faces);
+}
+
 amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
                            const std::vector<std::int32_t> &in_use, amst_report **report) {
     if (const reference::Project project = projection(); project && options_.edit_boundary)
@@ -240,6 +260,8 @@ amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
     if (report != nullptr)
         describe_meshes(made->impl);
+    if (options_.edit_boundary)
+        write_areas(made->impl);
     const std::vector<std::int32_t> unused = unused_options(options_, in_use);
     if (!unused.empty())
         made->impl.all.unused_option = unused.front();

@@ -50,6 +50,7 @@ private:
     Report report_of(const std::vector<Outcome> &outcomes, bool exact) const;
     void write_size_errors(const std::vector<Outcome> &outcomes);
     void describe_meshes(Report &report) const;
+    void write_areas(Report &report) const;
     std::string remark(const Outcome &outcome, std::size_t patch) const;
     void record_first_remark(const std::vector<Outcome> &outcomes) const;
     void log(const std::vector<Outcome> &outcomes, const std::vector<std::int32_t> &unused,

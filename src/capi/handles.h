@@ -82,7 +82,7 @@ struct Report {
         double least_area_before = size_error_before, least_area_after = size_error_before;
         double shortest_edge_before = size_error_before, shortest_edge_after = size_error_before;
         double aspect_ratio_before = 0, aspect_ratio_after = 0;
-        double time_step = 1;
+        double time_step = 1, area_gained = 0;
         std::map<int, std::int64_t> valences_before, valences_after;
     };
     struct Origin {

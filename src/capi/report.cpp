@@ -75,6 +75,8 @@ double real(const Report::Row &row, std::int32_t key) {
         return row.shortest_edge_after;
     case AMST_RESULT_ASPECT_RATIO_BEFORE:
         return row.aspect_ratio_before;
+    case AMST_RESULT_AREA_GAINED:
+        return row.area_gained;
     case AMST_RESULT_ASPECT_RATIO_AFTER:
         return row.aspect_ratio_after;
     default:

@@ -74,7 +74,7 @@ private:
 
 // Where vertices of the loop come or go, the old rim must lead from each vertex that stays to the next one
 // that does.
-void test_rim(const Kernel &kernel, const Disk &disk, const Loop &loop, std::span<const int> vertices) {
+void test_rim(const Kernel &kernel, const OldDisk &disk, const Loop &loop, std::span<const int> vertices) {
     std::size_t seen = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         if (vertices[i] < 0 || disk.sides[i] >= 0)
@@ -99,7 +99,7 @@ void test_rim(const Kernel &kernel, const Disk &disk, const Loop &loop, std::spa
 }
 
 // Edges of the loop that are new have a parent among those of the rim; without parents nothing is new.
-void test_parents(const Kernel &kernel, const Disk &disk, std::span<const int> parents) {
+void test_parents(const Kernel &kernel, const OldDisk &disk, std::span<const int> parents) {
     const bool any = std::any_of(disk.sides.begin(), disk.sides.end(), [](int side) { return side < 0; });
     if (parents.empty() && any)
         refuse("the loop is longer than the boundary of the disk");
@@ -112,17 +112,17 @@ void test_parents(const Kernel &kernel, const Disk &disk, std::span<const int> p
 
 } // namespace
 
-int Disk::rim_side(const Kernel &kernel, int vertex) const {
+int OldDisk::rim_side(const Kernel &kernel, int vertex) const {
     const auto side = std::find_if(rim.begin(), rim.end(), [&](int h) {
         return kernel.from_vertex_handle(Halfedge(h)).idx() == vertex;
     });
     return side == rim.end() ? -1 : *side;
 }
 
-Disk find_disk(const Kernel &kernel, std::span<const int> faces, std::span<const int> vertices,
-               std::span<const int> parents) {
+OldDisk find_disk(const Kernel &kernel, std::span<const int> faces, std::span<const int> vertices,
+                  std::span<const int> parents) {
     const Loop loop(vertices, kernel.n_vertices());
-    Disk disk{{faces.begin(), faces.end()}, {}, {}, std::vector<int>(vertices.size(), -1), {}};
+    OldDisk disk{{faces.begin(), faces.end()}, {}, {}, std::vector<int>(vertices.size(), -1), {}};
     std::sort(disk.faces.begin(), disk.faces.end());
     if (faces.empty() || disk.faces.front() < 0 || at(disk.faces.back()) >= kernel.n_faces())
         refuse("a disk needs faces of the mesh");
@@ -238,7 +238,7 @@ void test_filling(Quads quads, const std::vector<int> &twins, int n_loop, int n_
 }
 
 // An edge between two vertices of the loop that is new must not be in the mesh already.
-void test_chords(const QuadMesh &mesh, const Disk &disk, std::span<const int> loop, Quads quads,
+void test_chords(const QuadMesh &mesh, const OldDisk &disk, std::span<const int> loop, Quads quads,
                  const std::vector<int> &twins) {
     const int n_loop = static_cast<int>(loop.size());
     for (int c = 0; c < static_cast<int>(twins.size()); ++c) {
@@ -256,7 +256,7 @@ void test_chords(const QuadMesh &mesh, const Disk &disk, std::span<const int> lo
 
 } // namespace
 
-std::vector<int> fit_quads(const QuadMesh &mesh, const Disk &disk, std::span<const int> loop, Quads quads,
+std::vector<int> fit_quads(const QuadMesh &mesh, const OldDisk &disk, std::span<const int> loop, Quads quads,
                            int n_vertices) {
     const int n_loop = static_cast<int>(loop.size());
     const std::vector<int> twins = match(quads, n_loop, n_vertices);

@@ -10,7 +10,7 @@
 
 namespace alphamst::mesh {
 
-struct Disk {
+struct OldDisk {
     std::vector<int> faces, edges, vertices; // that go, ascending
     std::vector<int> sides; // [loop] from here to the next vertex, the disk at the left; -1: new
     // Where edges of the loop are new, the old sides, the disk at their left, one at most from each vertex;
@@ -21,13 +21,13 @@ struct Disk {
 
 // What replace_disk has to know of its loop and faces. Throws Failure (internal) if they are no disk, or if
 // vertices of the loop come or go elsewhere than on the boundary of the mesh.
-Disk find_disk(const Kernel &kernel, std::span<const int> faces, std::span<const int> loop,
-               std::span<const int> parents);
+OldDisk find_disk(const Kernel &kernel, std::span<const int> faces, std::span<const int> loop,
+                  std::span<const int> parents);
 
 // For each corner of the quads (4 * quad + i) the one whose side is the same edge from the other end, -1 on
 // the loop. Throws Failure (internal) if the quads are no disk within such a loop, or if an edge of theirs
 // would double one outside the disk.
-std::vector<int> fit_quads(const QuadMesh &mesh, const Disk &disk, std::span<const int> loop,
+std::vector<int> fit_quads(const QuadMesh &mesh, const OldDisk &disk, std::span<const int> loop,
                            std::span<const std::array<int, 4>> quads, int n_vertices);
 
 } // namespace alphamst::mesh

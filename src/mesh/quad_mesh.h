@@ -170,6 +170,8 @@ private:
         std::size_t vertices = 0, edges = 0, faces = 0;
     };
 
+    void write_quads(std::span<const std::array<int, 4>> quads, int n_loop, const std::vector<int> &ids,
+                     const std::vector<int> &vertices, const std::vector<int> &sides, std::int32_t marker);
     void reserve(std::size_t vertices, std::size_t edges, std::size_t faces);
     void resize(std::size_t vertices, std::size_t edges, std::size_t faces);
     void move_vertex(int from, int to);

@@ -59,7 +59,7 @@ std::int32_t most_frequent_marker(const std::vector<std::int32_t> &markers, cons
 }
 
 // [loop] Whether the edge from here is new.
-std::vector<char> new_edges_of(const Disk &disk) {
+std::vector<char> new_edges_of(const OldDisk &disk) {
     std::vector<char> is_new;
     for (const int side : disk.sides)
         is_new.push_back(side < 0);
@@ -71,7 +71,7 @@ std::vector<char> new_edges_of(const Disk &disk) {
 // New edges on the boundary of the mesh: half-edges beyond them, and what they get from their parents.
 class QuadMesh::Rim {
 public:
-    Rim(const QuadMesh &mesh, const Disk &disk, std::span<const int> loop, std::span<const int> parents)
+    Rim(const QuadMesh &mesh, const OldDisk &disk, std::span<const int> loop, std::span<const int> parents)
         : is_new_(new_edges_of(disk)) {
         const Kernel &kernel = mesh.kernel_;
         for (std::size_t i = 0; !disk.rim.empty() && i < loop.size(); ++i) {
@@ -185,6 +185,28 @@ void QuadMesh::close_gaps(const Ids &faces, const Ids &edges, const Ids &vertice
     resize(vertices.after, edges.after, faces.after);
 }
 
+// ids: of the new faces; vertices: of the mesh; sides: [corner of a quad] its half-edge.
+void QuadMesh::write_quads(std::span<const std::array<int, 4>> quads, int n_loop, const std::vector<int> &ids,
+                           const std::vector<int> &vertices, const std::vector<int> &sides,
+                           std::int32_t marker) {
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        const int face = ids[q];
+        std::array<int, 4> own;
+        std::array<int, 4> &corners = corners_[at(face)];
+        for (std::size_t i = 0; i < 4; ++i) {
+            own[i] = sides[4 * q + i];
+            corners[i] = vertices[at(quads[q][i])];
+            if (quads[q][i] >= n_loop)
+                kernel_.set_halfedge_handle(Vertex(corners[i]), Halfedge(own[i]));
+        }
+        link_face(kernel_, face, own, corners);
+        face_flags[at(face)] = 0;
+        face_origin[at(face)] = -1;
+        if (!face_marker.empty())
+            face_marker[at(face)] = marker;
+    }
+}
+
 QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<const int> loop,
                                           std::span<const std::array<int, 4>> quads,
                                           std::span<const OpenMesh::Vec3d> points,
@@ -194,7 +216,7 @@ QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<
     const auto on_rim = std::count_if(loop.begin(), loop.end(), [](int v) { return v < 0; });
     const int n_local = n_loop + static_cast<int>(points.size()) - static_cast<int>(on_rim);
     test_points(points);
-    Disk disk = find_disk(kernel_, faces, loop, parents);
+    OldDisk disk = find_disk(kernel_, faces, loop, parents);
     if (static_cast<std::size_t>(on_rim) > points.size())
         throw Failure(Fault::internal, "a new vertex on the loop of a disk has no point");
     const std::vector<int> twins = fit_quads(*this, disk, loop, quads, n_local);
@@ -221,22 +243,7 @@ QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<
 
     // From here on nothing throws.
     resize(new_vertices.during, new_edges.during, new_faces.during);
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-        const int face = new_faces.ids[q];
-        std::array<int, 4> own;
-        std::array<int, 4> &corners = corners_[at(face)];
-        for (std::size_t i = 0; i < 4; ++i) {
-            own[i] = sides[4 * q + i];
-            corners[i] = vertices[at(quads[q][i])];
-            if (quads[q][i] >= n_loop)
-                kernel_.set_halfedge_handle(Vertex(corners[i]), Halfedge(own[i]));
-        }
-        link_face(kernel_, face, own, corners);
-        face_flags[at(face)] = 0;
-        face_origin[at(face)] = -1;
-        if (!face_marker.empty())
-            face_marker[at(face)] = marker;
-    }
+    write_quads(quads, n_loop, new_faces.ids, vertices, sides, marker);
     for (const int edge : new_edges.ids) {
         edge_flags[at(edge)] = 0;
         edge_origin[at(edge)] = -1;

@@ -93,13 +93,20 @@ void fill(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity, 
     outcome.candidate = best.number;
 }
 
-// With the vertices on the boundary of the mesh that are wanted, or that are nearest to it. False if there is
-// no such filling.
-bool fill_respaced(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity, const Goal &goal,
-                   const Settings &settings, Proposal &proposal) {
+// As choices of fillings weigh it.
+double score(const Outcome &outcome) {
+    const SizeError sizes{outcome.size_error_after, std::log2(outcome.least_area_after),
+                          outcome.shortest_edge_after};
+    return static_cast<double>(outcome.singular_after) + price_of(sizes, outcome.quality_after, enough);
+}
+
+// With the vertices on the boundary of the mesh that are wanted, or that are nearest to it; nothing if there
+// is no such filling. before: what is known of the patch.
+std::optional<Proposal> fill_respaced(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity,
+                                      const Goal &goal, const Settings &settings, const Proposal &before) {
     const auto &boundary = cavity.reference().boundary;
     if (!boundary || cavity.curved())
-        return false;
+        return std::nullopt;
     // Faces at the boundary that are longer than wide stay so.
     const reference::EdgeLength edge_length = [&](surface::CurvePlace place) {
         const Eigen::Vector3d point = boundary->curves->at(place);
@@ -117,12 +124,14 @@ bool fill_respaced(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity 
         try {
             Cavity respaced(mesh, patch, goal, settings, cavity.reference());
             respaced.respace(std::move(*window));
+            Proposal proposal = before;
             fill(mesh, patch, respaced, goal, settings, proposal);
-            return !proposal.unchanged;
+            if (!proposal.unchanged)
+                return proposal;
         } catch (const Refusal &) {
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 // nearest: gets other numbers of faces to try where that one cannot be had and others would do.
@@ -139,8 +148,16 @@ Proposal propose_exactly(const mesh::QuadMesh &mesh, const Patch &patch, const G
     try {
         cavity.emplace(mesh, patch, goal, settings, reference);
         tell_present(mesh, patch, *cavity, outcome);
-        if (!fill_respaced(mesh, patch, *cavity, goal, settings, proposal))
+        std::optional<Proposal> respaced = fill_respaced(mesh, patch, *cavity, goal, settings, proposal);
+        try {
             fill(mesh, patch, *cavity, goal, settings, proposal);
+        } catch (const Refusal &) {
+            if (!respaced)
+                throw;
+        }
+        if (respaced &&
+            (proposal.replacement.filling.quads.empty() || score(respaced->outcome) <= score(outcome)))
+            proposal = std::move(*respaced);
     } catch (const Refusal &refusal) {
         outcome.fault = refusal.fault;
         outcome.text = refusal.text;

@@ -21,12 +21,13 @@ public:
     bool empty() const { return runs_.empty(); }
     // Those that are there with one edge or two more or less in one run or in two, the loop having an even
     // number; the best first by what is wanted, and only such as are not far from that, or nearer to it than
-    // what is there.
-    std::vector<Counts> near() const;
+    // what is there. wished: lengths are those that a caller asks for.
+    std::vector<Counts> near(bool wished) const;
     // What is wanted everywhere, then parts of the way there; only such as are far better than what is there.
     std::vector<Counts> towards() const;
 
-    // The window with other vertices where counts differ from those that are there, or everywhere. Nothing
+    // The window with other vertices where counts differ from those that are there, or wherever lengths are
+    // not fine. Nothing
     // where the curve would be missed, or another part of the boundary met.
     std::optional<patch::Window> window(const Counts &counts, bool everywhere) const;
 
@@ -38,7 +39,8 @@ private:
         surface::CurvePlace from;
         double length = 0, wanted = 0;   // wanted: edges
         std::vector<double> wanted_till; // [sample] edges from the first vertex on
-        double error = 0;                // of what is there
+        double error = 0, worst = 0;     // of what is there, of all edges and of one
+        bool fine = false;               // it may stay as it is
     };
     // New vertices of a run, strictly between its ends.
     using Places = std::vector<surface::CurvePlace>;
@@ -47,11 +49,17 @@ private:
     void measure(Run &run) const;
     double error(const Run &run, int edges) const;
     double error(const Counts &counts) const;
+    bool changes(std::size_t run, const Counts &counts, bool everywhere) const {
+        return counts[run] != runs_[run].edges || (everywhere && !runs_[run].fine);
+    }
     int parity(const Counts &counts) const;
     void make_even(Counts &counts) const;
     std::vector<double> lengths(const Run &run, int edges) const; // from its start to each vertex
     std::optional<Places> places(const Run &run, int edges) const;
     bool keeps_curve(surface::CurvePlace from, double length) const;
+    void keep(std::size_t i, int parent, patch::Window &changed) const;
+    int parent(const Run &run, double along) const;
+    bool add(const Run &run, int edges, patch::Window &changed) const;
     void set_angles(patch::Window &window) const;
 
     const mesh::QuadMesh &mesh_;

@@ -150,9 +150,10 @@ struct WindowRefill {
             return std::nullopt;
         }
         std::optional<Replacement> best = search(cavity, goal);
+        const bool wished = reference.sizes != nullptr && reference.sizes->wished();
         Goal better = goal;
         int tried = 0;
-        for (const Respacing::Counts &counts : respacing.near()) {
+        for (const Respacing::Counts &counts : respacing.near(wished)) {
             auto window = respacing.window(counts, false);
             if (!window)
                 continue;

@@ -10,6 +10,8 @@
 namespace alphamst::transfer {
 namespace {
 
+// Part of the area of a region that rounding changes.
+constexpr double rounding_of_area = 1e-11;
 // Part of the sum that averages miss in the plane by rounding; it is not worth another bit.
 constexpr double rounding = 1e-13;
 
@@ -66,6 +68,7 @@ Regions::Regions(const mesh::QuadMesh &before, const mesh::QuadMesh &after, cons
             part.region = found ? 1 + static_cast<std::size_t>(place - both.begin()) : 0;
         }
     count_ = 1 + both.size();
+    curved_ = after.surface != nullptr;
 }
 
 void Regions::conserve(std::span<const double> old_values, std::span<double> values, int components) const {
@@ -83,7 +86,9 @@ void Regions::conserve(std::span<const double> old_values, std::span<double> val
         };
         const std::vector<Sum> wanted = sums(before_, old_values), found = sums(after_, values);
         for (const auto &[face, region, area] : after_) {
-            const double missing = wanted[region].value - found[region].value;
+            const double ratio = found[region].area / wanted[region].area;
+            const bool changed = !curved_ && std::abs(ratio - 1) > rounding_of_area && std::isfinite(ratio);
+            const double missing = wanted[region].value * (changed ? ratio : 1) - found[region].value;
             if (std::abs(missing) <= rounding * wanted[region].size)
                 continue;
             double &value = values[at(face) * width + c];

@@ -20,7 +20,8 @@ class Regions {
 public:
     Regions(const mesh::QuadMesh &before, const mesh::QuadMesh &after, const Changed &changed);
 
-    // Makes the sum of value * area over each set what it was, in each component.
+    // Makes the sum of value * area over each set what it was, in each component; where the set itself has
+    // another area in a plane, its mean.
     void conserve(std::span<const double> old_values, std::span<double> values, int components) const;
 
 private:
@@ -31,6 +32,7 @@ private:
     };
     std::vector<Part> before_, after_;
     std::size_t count_ = 0;
+    bool curved_ = false; // areas change there with the faces
 };
 
 } // namespace alphamst::transfer

@@ -236,6 +236,43 @@ static void it_stays_while_an_operation_runs(void **state) {
     refused(AMST_ERR_NULL, amst_mesh_set_projection(NULL, NULL, NULL));
 }
 
+static double area_of(const amst_mesh *mesh) {
+    amst_summary summary;
+    must(amst_mesh_get_summary(mesh, AMST_METRIC_AREA, &summary));
+    return summary.mean * (double)summary.count;
+}
+
+/* Where chords cut off or add something of the disk, the sum of a field goes with its area. */
+static void constants_stay_where_the_area_changes(void **state) {
+    (void)state;
+    const double alphas[] = {0.5, 4};
+    for (int k = 0; k < 2; ++k) {
+        int64_t n = count_of(disk, AMST_FACE), needed;
+        double *values = memory((size_t)n * 2 * sizeof *values);
+        for (int64_t f = 0; f < n; ++f) {
+            values[2 * f] = 3;
+            values[2 * f + 1] = (double)f;
+        }
+        must(amst_mesh_set_field(disk, AMST_FACE, "mass", 2, AMST_CARRY_CONSERVE, values, n));
+        free(values);
+        const double before = area_of(disk);
+        amst_report *report = NULL;
+        if (k == 1)
+            project(1);
+        must(amst_adapt(disk, NULL, alphas[k], options, &report));
+        const double gained = real_result(report, AMST_ALL, AMST_RESULT_AREA_GAINED);
+        assert_true(fabs(area_of(disk) - before - gained) < 1e-12);
+        assert_true(k == 0 ? gained < -0.01 : gained > 0.01);
+        n = count_of(disk, AMST_FACE);
+        values = memory((size_t)n * 2 * sizeof *values);
+        must(amst_mesh_get_field(disk, AMST_FACE, "mass", values, 2 * n, &needed));
+        for (int64_t f = 0; f < n; ++f)
+            assert_true(fabs(values[2 * f] - 3) < 1e-12);
+        free(values);
+        amst_report_destroy(report);
+    }
+}
+
 static int has_vertex(const double *ends, int64_t count, double x, double y) {
     for (int64_t e = 0; e < 2 * count; ++e)
         if (ends[2 * e] == x && ends[2 * e + 1] == y)
@@ -332,6 +369,7 @@ int main(void) {
         TEST(a_failing_projection_changes_nothing),
         TEST(so_does_one_that_fails_in_the_end),
         TEST(it_stays_while_an_operation_runs),
+        TEST(constants_stay_where_the_area_changes),
         TEST(corners_of_a_square_stay),
         TEST(a_patch_at_the_boundary_gets_vertices_there),
         TEST(what_is_flagged_stays),

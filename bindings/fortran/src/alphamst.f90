@@ -30,7 +30,7 @@ module alphamst
         AMST_CHORD_CROSSINGS, AMST_CHORD_TOUCHES, AMST_CHORD_SINGULARITIES, AMST_CHORD_REFUSAL, &
         AMST_CHORD_SINGULAR_AFTER, AMST_REFUSAL_CROSSING, AMST_REFUSAL_CLOSED, AMST_REFUSAL_BOUNDARY, &
         AMST_REFUSAL_FIXED, AMST_REFUSAL_FEATURE, AMST_REFUSAL_VALENCE, AMST_REFUSAL_DOUBLE, &
-        AMST_ERR_CHORD, AMST_OPT_QUADRANGULATE, AMST_OPT_EDIT_BOUNDARY, AMST_OPT_STRATEGY, &
+        AMST_ERR_CHORD, AMST_ERR_PROJECTION, AMST_OPT_QUADRANGULATE, AMST_OPT_EDIT_BOUNDARY, AMST_OPT_STRATEGY, &
         AMST_OPT_ALIGN, AMST_OPT_CHART, AMST_OPT_TOLERANCE, AMST_OPT_EFFORT, AMST_OPT_SIZE_WEIGHT, &
         AMST_OPT_TRANSITION, AMST_OPT_LEAST_SIZE, AMST_OPT_KEEP_BOUNDARY, AMST_OPT_SHARP_ANGLE, &
         AMST_DECOMPOSE_PARTITION, AMST_DECOMPOSE_VORONOI, AMST_DECOMPOSE_MEDIAL, &
@@ -48,12 +48,14 @@ module alphamst
         AMST_RESULT_SIZE_ERROR_BEFORE, AMST_RESULT_SIZE_ERROR_AFTER, AMST_RESULT_LEAST_AREA_BEFORE, &
         AMST_RESULT_LEAST_AREA_AFTER, AMST_RESULT_TIME_STEP, AMST_RESULT_SHORTEST_EDGE_BEFORE, &
         AMST_RESULT_SHORTEST_EDGE_AFTER, AMST_RESULT_ASPECT_RATIO_BEFORE, AMST_RESULT_ASPECT_RATIO_AFTER, &
+        AMST_RESULT_AREA_GAINED, &
         AMST_LOG_OFF, AMST_LOG_ERROR, AMST_LOG_WARNING, AMST_LOG_INFO, AMST_LOG_DEBUG, AMST_ALL, &
         amst_summary
     use alphamst_library, only: alphamst_version, alphamst_version_string, alphamst_has, &
         alphamst_status_name, alphamst_last_error, alphamst_last_error_where
     use alphamst_context, only: amst_context, amst_progress_listener, amst_log_listener
     use alphamst_options, only: amst_options
+    use alphamst_boundary, only: amst_projection
     use alphamst_mesh, only: amst_mesh
     use alphamst_patches, only: amst_patches
     use alphamst_report, only: amst_report

@@ -2,7 +2,8 @@
 !> unit of the coordinates. Arrays have one column for each vertex, edge or face.
 !>
 !> Calls that take a mesh as intent(in) may run at the same time; one that takes it as intent(inout)
-!> needs it to itself.
+!> needs it to itself. Meshes that have a projection in common, being copies, are copied and destroyed
+!> on one thread at a time.
 module alphamst_mesh
     use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
@@ -18,6 +19,7 @@ module alphamst_mesh
         amst_mesh_write, amst_summary
     use alphamst_arrays, only: check_rows, deliver, fetch_reals_of, fetch_row, fetch_row_of, fetch_rows, &
         fill_reals_of, fill_row, fill_row_of, fill_rows
+    use alphamst_boundary, only: amst_projection, held_projection, hold, let_go, project_by
     use alphamst_context, only: amst_context
     use alphamst_handle, only: amst_handle, handle_to_copy
     use alphamst_library, only: settle, to_c
@@ -25,12 +27,14 @@ module alphamst_mesh
     implicit none
     private
 
-    !> Assignment makes a mesh of its own, with flags, fields and revision, without savepoints.
+    !> Assignment makes a mesh of its own, with flags, fields, revision and projection, without savepoints.
     !>
     !> The functions below return new arrays. Their get_ forms fill an array of the caller, which may
     !> have more columns than needed; n becomes the number of columns of the answer. Errors of those:
     !> BUFFER_TOO_SMALL, ARGUMENT (first extent). All have the optional arguments stat and errmsg.
     type, extends(amst_handle), public :: amst_mesh
+        private
+        type(held_projection), pointer :: projection => null()
     contains
         !> create(context, points(dim, :), faces(4, :) [, options]): faces of kind int32 or int64, corners
         !> counter-clockwise, dim 2 or 3. faces(3, :) are triangles, and so are those of four corners whose
@@ -135,6 +139,16 @@ module alphamst_mesh
         !> the mesh as fields are. Errors: ARGUMENT (first extents), RANGE (no triangle, a corner that is
         !> no point), NOT_FINITE.
         generic :: set_surface => set_surface_to, set_surface_to_mesh
+
+        !> set_projection([projection, user]): where the boundary runs, for operations with
+        !> AMST_OPT_EDIT_BOUNDARY; without projection as the edges of the mesh do. An operation calls it once
+        !> when it begins, for points on edges of the boundary, to learn where that runs, and once in the
+        !> end, for new vertices, which come to lie where it says, bit for bit. The operation fails with
+        !> AMST_ERR_PROJECTION, and nothing has changed, if the projection says so, if a result is not
+        !> finite or farther off than AMST_OPT_TOLERANCE edges, and if a new vertex turned a face over
+        !> there. projection and user must exist until they are replaced or the mesh and its copies are
+        !> destroyed. Not kept in files. A handle given away by release keeps it, for which some bytes stay.
+        procedure :: set_projection
 
         !> mark(revision): remember points, connectivity, flags and fields under this name.
         procedure :: mark
@@ -265,11 +279,15 @@ contains
         integer(int32), intent(out), optional :: stat
         character(len=*), intent(inout), optional :: errmsg
         type(c_ptr) :: handle
+        type(held_projection), pointer :: projection
         integer(int32) :: status
 
         handle = c_null_ptr
         status = amst_mesh_clone(self%c_handle(), handle)
+        projection => self%projection
+        if (status >= 0) call hold(projection) ! before copy, which may be self, lets go of its own
         call take(copy, handle, status, stat, errmsg)
+        if (status >= 0) copy%projection => projection
     end subroutine clone
 
     !> A new mesh into its variable, which keeps the one it had on failure.
@@ -287,7 +305,11 @@ contains
     subroutine destroy(self)
         class(amst_mesh), intent(inout) :: self
 
-        call amst_mesh_destroy(self%release())
+        type(c_ptr) :: handle
+
+        handle = self%release()
+        call let_go(handle, self%projection)
+        call amst_mesh_destroy(handle)
     end subroutine destroy
 
     impure elemental subroutine finalize(self)
@@ -300,11 +322,17 @@ contains
         class(amst_mesh), intent(inout) :: self
         class(amst_mesh), intent(in) :: other
         type(c_ptr) :: handle
+        type(held_projection), pointer :: projection
 
         handle = c_null_ptr
-        if (c_associated(handle_to_copy(other))) &
+        projection => null()
+        if (c_associated(handle_to_copy(other))) then
             call settle(amst_mesh_clone(handle_to_copy(other), handle))
+            projection => other%projection
+            call hold(projection)
+        end if
         call self%adopt(handle)
+        self%projection => projection
     end subroutine assign
 
     function get_dim(self, stat, errmsg) result(dim)
@@ -812,6 +840,16 @@ contains
         summary = amst_summary(0, 0, 0, 0, 0, 0)
         call settle(amst_mesh_get_summary(self%c_handle(), metric, summary), stat, errmsg)
     end function get_summary
+
+    subroutine set_projection(self, projection, user, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        procedure(amst_projection), optional :: projection
+        class(*), intent(inout), target, optional :: user
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(project_by(self%c_handle(), self%projection, projection, user), stat, errmsg)
+    end subroutine set_projection
 
     subroutine mark(self, revision, stat, errmsg)
         class(amst_mesh), intent(inout) :: self

@@ -23,8 +23,14 @@ contains
     !> own: the wanted number of faces over the present one. Without patches the whole mesh, plane or
     !> curved, with windows that the library chooses: round(alpha * faces) faces, as few singular vertices
     !> as it can, boundary and features kept; a vertex field "size" says where the faces go. A curved mesh
-    !> keeps to its surface; features of one lose and get vertices only where they are straight, with
-    !> AMST_OPT_EDIT_BOUNDARY also where they turn by less than 30 degrees.
+    !> keeps to its surface; features of one lose and get vertices only where they are straight.
+    !>
+    !> With AMST_OPT_EDIT_BOUNDARY 1 vertices come and go on the boundary of plane meshes and patches where
+    !> edges would be far from the wanted length, and where that saves singular vertices. Flagged ones,
+    !> corners and ends of markers stay; new ones lie on the boundary as it was, or see set_projection of
+    !> amst_mesh. On a curved mesh and with AMST_OPT_STRATEGY 1 it lets chords take vertices from features and
+    !> boundary where these turn by less than 30 degrees.
+    !>
     !> Errors: ARGUMENT (alpha), NOT_FINITE.
     subroutine alphamst_adapt(mesh, patches, alpha, options, report, stat, errmsg)
         type(amst_mesh), intent(inout) :: mesh
@@ -45,8 +51,8 @@ contains
         call finish(status, told, report, stat, errmsg)
     end subroutine alphamst_adapt
 
-    !> Replace each patch by its minimum singularity template, boundary kept. Without patches the whole
-    !> mesh; its number of faces stays within a few percent.
+    !> Replace each patch by its minimum singularity template, boundary kept but for
+    !> AMST_OPT_EDIT_BOUNDARY, see alphamst_adapt. Without patches the whole mesh; its number of faces stays within a few percent.
     subroutine alphamst_reduce_singularities(mesh, patches, options, report, stat, errmsg)
         type(amst_mesh), intent(inout) :: mesh
         type(amst_patches), intent(inout), optional :: patches

@@ -1,8 +1,8 @@
 !> The functions of meshes and what is on them; part of amst_c.
 module amst_c_mesh
-    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int32_t, c_int64_t, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_funptr, c_int32_t, c_int64_t, c_ptr
     implicit none
-    private :: c_char, c_double, c_int32_t, c_int64_t, c_ptr
+    private :: c_char, c_double, c_funptr, c_int32_t, c_int64_t, c_ptr
 
     interface
         ! mesh
@@ -260,6 +260,16 @@ module amst_c_mesh
             integer(c_int32_t), intent(in), optional :: triangles(*)
             integer(c_int64_t), value :: n_triangles
         end function amst_mesh_set_surface
+
+        ! boundary
+
+        integer(c_int32_t) function amst_mesh_set_projection(mesh, fn, user) bind(c)
+            import :: c_funptr, c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            type(c_funptr), value :: fn
+            type(c_ptr), value :: user
+        end function amst_mesh_set_projection
 
         ! undoing
 

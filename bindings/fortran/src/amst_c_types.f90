@@ -21,6 +21,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_ERR_PATCH = -8
     integer(c_int32_t), parameter :: AMST_ERR_NO_FILLING = -17
     integer(c_int32_t), parameter :: AMST_ERR_GEOMETRY = -18
+    integer(c_int32_t), parameter :: AMST_ERR_PROJECTION = -20
     integer(c_int32_t), parameter :: AMST_ERR_CHORD = -19
     integer(c_int32_t), parameter :: AMST_ERR_NOT_MANIFOLD = -7
     integer(c_int32_t), parameter :: AMST_ERR_NOT_QUAD = -6
@@ -173,6 +174,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_RESULT_SHORTEST_EDGE_AFTER = 1010
     integer(c_int32_t), parameter :: AMST_RESULT_ASPECT_RATIO_BEFORE = 1011
     integer(c_int32_t), parameter :: AMST_RESULT_ASPECT_RATIO_AFTER = 1012
+    integer(c_int32_t), parameter :: AMST_RESULT_AREA_GAINED = 1013
     integer(c_int32_t), parameter :: AMST_RESULT_MAX = 2147483647
 
     ! amst_log_level
@@ -215,5 +217,16 @@ module amst_c_types
             integer(c_int32_t), value :: level
             type(c_ptr), value :: message
         end subroutine amst_log_fn
+
+        !> Writes n points of the boundary to projected. 0: done; else the call under way fails.
+        integer(c_int32_t) function amst_projection_fn(user, n, marker, points, projected) bind(c)
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: user
+            integer(c_int64_t), value :: n
+            integer(c_int32_t), intent(in) :: marker(*)
+            real(c_double), intent(in) :: points(*)
+            real(c_double), intent(inout) :: projected(*)
+        end function amst_projection_fn
     end interface
 end module amst_c_types

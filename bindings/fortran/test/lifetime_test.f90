@@ -54,11 +54,33 @@ program lifetime_test
 
 contains
 
+    !> Its projection is held by all copies.
+    subroutine new_projected_grid(mesh, context, nx, ny)
+        type(amst_mesh), intent(inout) :: mesh
+        type(amst_context), intent(in) :: context
+        integer, intent(in) :: nx, ny
+
+        call new_grid(mesh, context, nx, ny)
+        call mesh%set_projection(stay)
+        call mesh%set_projection(stay) ! ends the one before
+    end subroutine new_projected_grid
+
+    subroutine stay(markers, points, projected, failed, user)
+        integer(int32), intent(in) :: markers(:)
+        real(real64), intent(in) :: points(:, :)
+        real(real64), intent(inout) :: projected(:, :)
+        logical, intent(inout) :: failed
+        class(*), pointer, intent(in) :: user
+
+        projected = points
+        failed = size(markers) /= size(points, 2) .or. associated(user)
+    end subroutine stay
+
     subroutine set_up(w)
         type(world), intent(inout) :: w
 
         call w%context%create()
-        call new_grid(w%mesh, w%context, 6, 6)
+        call new_projected_grid(w%mesh, w%context, 6, 6)
         call w%patches%create(w%mesh)
         call w%patches%add_faces(square(6, 1, 5))
         call alphamst_adapt(w%mesh, w%patches, 2.0_real64, report=w%report)
@@ -153,7 +175,7 @@ contains
         type(world) :: w
 
         call set_up(w)
-        call new_grid(w%mesh, w%context, 2, 2)
+        call new_projected_grid(w%mesh, w%context, 2, 2)
         call claim(w%mesh%count(AMST_FACE) == 4, 'another mesh in its place')
         call w%patches%create(w%mesh)
         call claim(w%patches%count() == 0, 'another set in its place')
@@ -170,7 +192,7 @@ contains
 
         call set_up(w)
         digest = w%mesh%checksum()
-        call new_grid(copy, w%context, 2, 2)
+        call new_projected_grid(copy, w%context, 2, 2)
         copy = w%mesh ! over a mesh there was
         call copy%set_flags(AMST_VERTEX, AMST_FLAG_FIXED, AMST_FLAG_FIXED)
         call claim(w%mesh%checksum() == digest, 'a copy goes its own way')
@@ -195,8 +217,8 @@ contains
         type(amst_mesh) :: a(3), b(3)
 
         call context%create()
-        call new_grid(a(1), context, 1, 1)
-        call new_grid(a(3), context, 3, 1)
+        call new_projected_grid(a(1), context, 1, 1)
+        call new_projected_grid(a(3), context, 3, 1)
         b = a
         call a(1)%destroy()
         call claim(b(1)%count(AMST_FACE) == 1, 'first element')
@@ -211,9 +233,9 @@ contains
         type(owner) :: a, b
 
         call context%create()
-        call new_grid(a%mesh, context, 2, 1)
+        call new_projected_grid(a%mesh, context, 2, 1)
         a%number = 7
-        call new_grid(b%mesh, context, 3, 1)
+        call new_projected_grid(b%mesh, context, 3, 1)
         b = a
         call a%mesh%destroy()
         call claim(b%number == 7 .and. b%mesh%exists(), 'a component')
@@ -234,7 +256,7 @@ contains
         deallocate (context)
         call w%mesh%check()
         call w%context%set_threads(2)
-        call new_grid(w%mesh, w%context, 2, 2)
+        call new_projected_grid(w%mesh, w%context, 2, 2)
     end subroutine copies_bit_by_bit_end_nothing
 
     subroutine handles_change_hands()
@@ -243,6 +265,7 @@ contains
         type(c_ptr) :: handle
 
         call set_up(w)
+        call w%mesh%set_projection() ! a handle given away keeps it for good
         handle = w%mesh%c_handle()
         call claim(c_associated(handle), 'a handle to look at')
         handle = w%mesh%release()

@@ -41,6 +41,7 @@ include("mesh.jl")
 include("field.jl")
 include("cross_field.jl")
 include("surface.jl")
+include("boundary.jl")
 include("quality.jl")
 include("patches.jl")
 include("report.jl")
@@ -55,6 +56,7 @@ export check, checksum, detect_features!, dim, edge_faces, edge_faces!, edges, e
     singularities, valences, valences!
 export field, field!, remove_field!, set_field!
 export alignment, compute_cross_field!
+export set_projection!
 export set_surface!
 export forget!, mark!, rollback!
 export quality, quality!, quality_summary

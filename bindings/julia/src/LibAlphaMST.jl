@@ -15,6 +15,7 @@ abstract type amst_report end
 
 const amst_progress_fn = Ptr{Cvoid}
 const amst_log_fn = Ptr{Cvoid}
+const amst_projection_fn = Ptr{Cvoid}
 
 """
 What `quality_summary` tells of one metric: the number of faces measured and of those inside the
@@ -47,6 +48,7 @@ const AMST_ERR_STALE = Int32(-9)
 const AMST_ERR_PATCH = Int32(-8)
 const AMST_ERR_NO_FILLING = Int32(-17)
 const AMST_ERR_GEOMETRY = Int32(-18)
+const AMST_ERR_PROJECTION = Int32(-20)
 const AMST_ERR_CHORD = Int32(-19)
 const AMST_ERR_NOT_MANIFOLD = Int32(-7)
 const AMST_ERR_NOT_QUAD = Int32(-6)
@@ -199,6 +201,7 @@ const AMST_RESULT_SHORTEST_EDGE_BEFORE = Int32(1009)
 const AMST_RESULT_SHORTEST_EDGE_AFTER = Int32(1010)
 const AMST_RESULT_ASPECT_RATIO_BEFORE = Int32(1011)
 const AMST_RESULT_ASPECT_RATIO_AFTER = Int32(1012)
+const AMST_RESULT_AREA_GAINED = Int32(1013)
 const AMST_RESULT_MAX = Int32(0x7fffffff)
 
 # amst_log_level
@@ -288,6 +291,7 @@ end
     amst_mesh_compute_cross_field(mesh, options) = @ccall amst_mesh_compute_cross_field(mesh::Ptr{amst_mesh}, options::Ptr{amst_options})::Int32
     amst_mesh_get_alignment(mesh, mean_degrees) = @ccall amst_mesh_get_alignment(mesh::Ptr{amst_mesh}, mean_degrees::Ptr{Float64})::Int32
     amst_mesh_set_surface(mesh, points, n_points, triangles, n_triangles) = @ccall amst_mesh_set_surface(mesh::Ptr{amst_mesh}, points::Ptr{Float64}, n_points::Int64, triangles::Ptr{Int32}, n_triangles::Int64)::Int32
+    amst_mesh_set_projection(mesh, fn, user) = @ccall amst_mesh_set_projection(mesh::Ptr{amst_mesh}, fn::amst_projection_fn, user::Ptr{Cvoid})::Int32
     amst_mesh_mark(mesh, revision) = @ccall amst_mesh_mark(mesh::Ptr{amst_mesh}, revision::Ptr{Int64})::Int32
     amst_mesh_rollback(mesh, revision) = @ccall amst_mesh_rollback(mesh::Ptr{amst_mesh}, revision::Int64)::Int32
     amst_mesh_forget(mesh, revision) = @ccall amst_mesh_forget(mesh::Ptr{amst_mesh}, revision::Int64)::Int32

@@ -14,8 +14,9 @@ end
 # ------------------------------------------------------------------- called by the library
 
 # No exception may enter the library: it is kept, and thrown by `demand` after the call.
-function guarded(f, user::Ptr{Cvoid})
-    callbacks = unsafe_pointer_to_objref(user)::Callbacks
+guarded(f, user::Ptr{Cvoid}) = guarded(f, unsafe_pointer_to_objref(user)::Callbacks)
+
+function guarded(f, callbacks::Callbacks)
     callbacks.failure === nothing || return true
     try
         return f(callbacks) === true

@@ -28,8 +28,10 @@ IO, FORMAT, UNSUPPORTED.
 mutable struct Mesh <: Handle{amst_mesh}
     pointer::Ptr{amst_mesh}
     callbacks::Callbacks
+    projection::Any # a Projection or nothing; the library has its address
 
-    Mesh(pointer::Ptr{amst_mesh}, callbacks::Callbacks) = finalizer(close, new(pointer, callbacks))
+    Mesh(pointer::Ptr{amst_mesh}, callbacks::Callbacks, projection = nothing) =
+        finalizer(close, new(pointer, callbacks, projection))
 end
 
 function Mesh(points::AbstractMatrix{<:Real}, faces::AbstractMatrix{<:Integer};
@@ -66,9 +68,10 @@ end
 """
     copy(mesh)
 
-A mesh of its own, in the same context, with flags, fields and revision, without savepoints.
+A mesh of its own, in the same context, with flags, fields, revision and projection, without savepoints.
 """
-Base.copy(mesh::Mesh) = Mesh(created(out -> amst_mesh_clone(mesh, out), amst_mesh), mesh.callbacks)
+Base.copy(mesh::Mesh) =
+    Mesh(created(out -> amst_mesh_clone(mesh, out), amst_mesh), mesh.callbacks, mesh.projection)
 
 # ------------------------------------------------------------------------ numbers
 

@@ -22,7 +22,7 @@ their own: below 1 coarser, above 1 finer, 1 only better. Patches with defects a
 Without patches the whole mesh, plane or curved, with windows that the library chooses:
 round(alpha * faces) faces, as few singular vertices as it can, boundary and features kept. A vertex
 field `"size"` says where the faces go. A curved mesh keeps to its surface; features of one lose and get
-vertices only where they are straight, with `edit_boundary` also where they turn by less than 30 degrees.
+vertices only where they are straight. With `edit_boundary = 1` the boundary may change, see [`Options`](@ref).
 
 Throws `AlphaMSTError`: ARGUMENT (alpha <= 0, patches of another mesh), NOT_FINITE, STALE, STATE (in a
 callback), CANCELLED.

@@ -28,7 +28,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `candidates` | 16 | fillings to try in a patch before it is left, 1 to 1000 |
 | `node_limit` | 1000 | effort of one exact search, in quads laid, 0 to 10^9 |
 | `quadrangulate` | 0 | 0: triangles of a new mesh are paired, 1: every face is split |
-| `edit_boundary` | 0 | 0 or 1: chords that end on the boundary or cross features may go |
+| `edit_boundary` | 0 | 0: the boundary of a plane mesh stays vertex for vertex, 1: vertices come and go on it, see below |
 | `strategy` | 0 | 0: a whole mesh is adapted by windows, 1: by chords alone |
 | `align` | 0 | 0 or 1: edges of curved meshes follow their cross field |
 | `chart` | 0 | map of what is curved, 0: a plane or a circle, 1: mean value, 2: conformal, 3: low stretch |
@@ -36,13 +36,19 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
 | `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
 | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |
-| `tolerance` | 0.5 | farthest from the surface, in wanted edges, 0.01 to 100 |
+| `tolerance` | 0.5 | farthest from surface or boundary, in wanted edges, 0.01 to 100 |
 | `effort` | 1.0 | times as much is spent on better fillings, 0.01 to 100 |
 | `size_weight` | 0.7 | of wanted sizes against shapes, 0 to 1 |
 | `transition` | 0.5 | of a patch's depth, over which sizes change, 0.05 to 1 |
 | `least_size` | 0.125 | area over wanted area; no smaller face is made, 0 to 1 |
 | `sharp_angle` | 40.0 | triangles of a new mesh are not paired over sharper edges, 0 to 180 degrees |
 | `edges` | none | `Matrix(2, n)` of vertices: edges of a new mesh that no pair of triangles crosses |
+
+With `edit_boundary = 1` vertices come and go on the boundary of a plane mesh where edges would be far
+from the wanted length, and where that saves singular vertices. Flagged ones, corners and ends of markers
+stay; new ones lie on the boundary as it was, or see [`set_projection!`](@ref). On a curved mesh and with
+`strategy = 1` it lets chords take vertices from features and boundary where these turn by less than 30
+degrees.
 
 `options[:seed]` reads and `options[:seed] = 7` sets one. A mesh is not made if one of the `edges` is no
 side of its faces (`AMST_ERR_NOT_FOUND`). Throws `AlphaMSTError` for a value out

@@ -15,7 +15,8 @@ const result_keys = (status = AMST_RESULT_STATUS, faces_before = AMST_RESULT_FAC
                      shortest_edge_before = AMST_RESULT_SHORTEST_EDGE_BEFORE,
                      shortest_edge_after = AMST_RESULT_SHORTEST_EDGE_AFTER,
                      aspect_ratio_before = AMST_RESULT_ASPECT_RATIO_BEFORE,
-                     aspect_ratio_after = AMST_RESULT_ASPECT_RATIO_AFTER)
+                     aspect_ratio_after = AMST_RESULT_ASPECT_RATIO_AFTER,
+                     area_gained = AMST_RESULT_AREA_GAINED)
 
 """
     report[key]
@@ -39,6 +40,7 @@ What an operation did, in all or to one patch; a `Report` outlives mesh and patc
 | `:time_step` | smallest area / perimeter of a face, after over before |
 | `:shortest_edge_before`, `:shortest_edge_after` | smallest edge / root of the area wanted there; NaN likewise |
 | `:aspect_ratio_before`, `:aspect_ratio_after` | largest aspect ratio of a face |
+| `:area_gained` | area after less area before, with `edit_boundary`; else 0 |
 
 The first six rows are `Int64`, the others `Float64`. Over all patches counts are sums, singularities
 those of the whole mesh, qualities, areas and edges the smallest, aspect ratios the largest, the size error

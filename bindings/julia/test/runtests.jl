@@ -6,7 +6,7 @@ include("grid.jl")
 
 @testset "AlphaMST" begin
     @testset "$noun" for noun in ["library", "error", "options", "mesh", "array", "flags", "field", "cross_field",
-                                  "surface", "savepoint",
+                                  "surface", "boundary", "savepoint",
                                   "quality", "patches", "operations", "chord", "report", "context", "handle"]
         include("$noun.jl")
     end

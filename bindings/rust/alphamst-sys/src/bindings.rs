@@ -42,6 +42,7 @@ pub const AMST_ERR_STALE: amst_status_code = -9;
 pub const AMST_ERR_PATCH: amst_status_code = -8;
 pub const AMST_ERR_NO_FILLING: amst_status_code = -17;
 pub const AMST_ERR_GEOMETRY: amst_status_code = -18;
+pub const AMST_ERR_PROJECTION: amst_status_code = -20;
 pub const AMST_ERR_CHORD: amst_status_code = -19;
 pub const AMST_ERR_NOT_MANIFOLD: amst_status_code = -7;
 pub const AMST_ERR_NOT_QUAD: amst_status_code = -6;
@@ -184,6 +185,7 @@ pub const AMST_RESULT_SHORTEST_EDGE_BEFORE: amst_result = 1009;
 pub const AMST_RESULT_SHORTEST_EDGE_AFTER: amst_result = 1010;
 pub const AMST_RESULT_ASPECT_RATIO_BEFORE: amst_result = 1011;
 pub const AMST_RESULT_ASPECT_RATIO_AFTER: amst_result = 1012;
+pub const AMST_RESULT_AREA_GAINED: amst_result = 1013;
 pub const AMST_RESULT_MAX: amst_result = 2147483647;
 pub type amst_result = ::std::os::raw::c_int;
 pub const AMST_LOG_OFF: amst_log_level = -1;
@@ -303,6 +305,15 @@ pub type amst_log_fn = ::std::option::Option<
         level: i32,
         message: *const ::std::os::raw::c_char,
     ),
+>;
+pub type amst_projection_fn = ::std::option::Option<
+    unsafe extern "C" fn(
+        user: *mut ::std::os::raw::c_void,
+        n: i64,
+        marker: *const i32,
+        points: *const f64,
+        projected: *mut f64,
+    ) -> i32,
 >;
 extern "C" {
     pub fn amst_version() -> i32;
@@ -573,6 +584,13 @@ extern "C" {
         n_points: i64,
         triangles: *const i32,
         n_triangles: i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_set_projection(
+        mesh: *mut amst_mesh,
+        fn_: amst_projection_fn,
+        user: *mut ::std::os::raw::c_void,
     ) -> amst_status;
 }
 extern "C" {

@@ -41,7 +41,7 @@ pub(crate) struct Callbacks {
     panic: Mutex<Option<Panic>>,
 }
 
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -59,8 +59,8 @@ impl Callbacks {
         lock(&self.panic).take()
     }
 
-    // None if it panicked, now or before.
-    fn run<R>(&self, call: impl FnOnce() -> R) -> Option<R> {
+    /// None if it panicked, now or before.
+    pub(crate) fn run<R>(&self, call: impl FnOnce() -> R) -> Option<R> {
         if lock(&self.panic).is_some() {
             return None;
         }

@@ -45,6 +45,7 @@
 pub use alphamst_sys as sys;
 
 mod array;
+mod boundary;
 mod callback;
 mod chord;
 mod connectivity;

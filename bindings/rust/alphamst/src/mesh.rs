@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use alphamst_sys as sys;
 
+use crate::boundary::Projection;
 use crate::context::Shared;
 use crate::error::{check, create, must, value};
 use crate::strided::sealed::Sealed;
@@ -15,6 +16,7 @@ use crate::{array, options, Context, Corner, Entity, Error, Options, Result, Str
 pub struct Mesh {
     raw: NonNull<sys::amst_mesh>,
     pub(crate) shared: Arc<Shared>,
+    pub(crate) projection: Option<Arc<Projection>>, // the library has its address, see Drop
 }
 
 // SAFETY: what reads or changes the mesh takes its context's turn, through this handle or through the
@@ -140,7 +142,7 @@ impl Mesh {
 
     fn made_by(context: &Context, call: impl FnOnce(*mut *mut sys::amst_mesh) -> i32) -> Result<Self> {
         let raw = context.shared.turn.change(|| create(call))?;
-        Ok(Self { raw, shared: Arc::clone(&context.shared) })
+        Ok(Self { raw, shared: Arc::clone(&context.shared), projection: None })
     }
 
     /// Runs a call that reads the mesh.
@@ -334,11 +336,11 @@ impl Mesh {
     }
 }
 
-/// A mesh of its own in the same context, with flags, fields and revision, without savepoints.
+/// A mesh of its own in the same context, with flags, fields, revision and projection, without savepoints.
 impl Clone for Mesh {
     fn clone(&self) -> Self {
         let raw = must(self.ask(|mesh| create(|out| unsafe { sys::amst_mesh_clone(mesh, out) })));
-        Self { raw, shared: Arc::clone(&self.shared) }
+        Self { raw, shared: Arc::clone(&self.shared), projection: self.projection.clone() }
     }
 }
 

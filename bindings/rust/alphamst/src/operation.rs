@@ -6,8 +6,8 @@ use crate::callback::resume;
 use crate::error::create;
 use crate::{options, Mesh, Options, Patches, Report, Result};
 
-/// Operations. Each changes the mesh or, on an error, a cancel and a panic in a progress callback, not
-/// at all; it works on a copy, so that for a moment the mesh takes twice its memory. Patches with
+/// Operations. Each changes the mesh or, on an error, a cancel and a panic in a progress callback or a
+/// projection, not at all; it works on a copy, so that for a moment the mesh takes twice its memory. Patches with
 /// defects are left and make the report [`is_partial`](Report::is_partial). The patches move along to
 /// the new revision and the new faces.
 ///
@@ -17,8 +17,8 @@ impl Mesh {
     /// their own. Without patches the whole mesh, plane or curved, with windows that the library chooses:
     /// round(alpha * faces) faces, as few singular vertices as it can, boundary and features kept; a
     /// vertex field "size" says where the faces go. A curved mesh keeps to its surface; features of one
-    /// lose and get vertices only where they are straight, with [`Options::edit_boundary`] also where they
-    /// turn by less than 30 degrees.
+    /// lose and get vertices only where they are straight. [`Options::edit_boundary`] lets the boundary
+    /// change, see [`OptionKey::EditBoundary`](crate::OptionKey::EditBoundary).
     ///
     /// Errors: also `Argument` (alpha), `NotFinite`.
     ///
@@ -42,8 +42,8 @@ impl Mesh {
         self.operate(n_patches, |mesh, report| unsafe { sys::amst_adapt(mesh, set, alpha, options, report) })
     }
 
-    /// Replaces each patch by its minimum singularity template; its boundary is kept. Without patches the
-    /// whole mesh; its number of faces stays within a few percent.
+    /// Replaces each patch by its minimum singularity template; its boundary is kept, but for
+    /// [`Options::edit_boundary`]. Without patches the whole mesh; its number of faces stays within a few percent.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]

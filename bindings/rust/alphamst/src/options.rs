@@ -22,7 +22,12 @@ enumeration! {
         NodeLimit = AMST_OPT_NODE_LIMIT,
         /// Integer 0 or 1, 0: triangles of a new mesh are paired, 1: every face is split.
         Quadrangulate = AMST_OPT_QUADRANGULATE,
-        /// Integer 0 or 1, 0: chords that end on the boundary may be changed.
+        /// Integer 0 or 1, 0: the boundary of a plane mesh stays vertex for vertex, 1: vertices come and go
+        /// on it where edges would be far from the wanted length, and where that saves singular vertices.
+        /// Flagged ones, corners and ends of markers stay; new ones lie on the boundary as it was, or see
+        /// [`Mesh::set_projection`](crate::Mesh::set_projection). On a curved mesh and with
+        /// [`Strategy`](Self::Strategy) 1: chords may take vertices from features and boundary where these
+        /// turn by less than 30 degrees.
         EditBoundary = AMST_OPT_EDIT_BOUNDARY,
         /// Integer, 0: a whole mesh is adapted by windows, 1: by chords alone.
         Strategy = AMST_OPT_STRATEGY,
@@ -39,7 +44,7 @@ enumeration! {
         MinConvexity = AMST_OPT_MIN_CONVEXITY,
         /// Real, 100: faces of a patch that automatic decomposition aims at, at least 1.
         PatchFaces = AMST_OPT_PATCH_FACES,
-        /// Real, 0.5: farthest from the surface, in wanted edges, 0.01 to 100.
+        /// Real, 0.5: farthest from the surface or the boundary, in wanted edges, 0.01 to 100.
         Tolerance = AMST_OPT_TOLERANCE,
         /// Real, 1.0: times as much is spent on better fillings, 0.01 to 100.
         Effort = AMST_OPT_EFFORT,

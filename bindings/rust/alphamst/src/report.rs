@@ -54,6 +54,9 @@ enumeration! {
         AspectRatioBefore = AMST_RESULT_ASPECT_RATIO_BEFORE,
         /// Real: [`Outcome::aspect_ratio_after`].
         AspectRatioAfter = AMST_RESULT_ASPECT_RATIO_AFTER,
+        /// Real: area after less area before, with [`Options::edit_boundary`](crate::Options::edit_boundary);
+        /// else 0.
+        AreaGained = AMST_RESULT_AREA_GAINED,
     }
 }
 

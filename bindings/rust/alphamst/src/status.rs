@@ -43,6 +43,9 @@ statuses! {
     Internal = AMST_ERR_INTERNAL,
     /// No filling could be given a valid shape; the patch is as before.
     Geometry = AMST_ERR_GEOMETRY,
+    /// The projection of the boundary failed, see [`Mesh::set_projection`](crate::Mesh::set_projection);
+    /// the mesh is as before the call.
+    Projection = AMST_ERR_PROJECTION,
     /// A chord cannot be collapsed or split, see [`Refusals`](crate::Refusals).
     Chord = AMST_ERR_CHORD,
     /// No filling with the wanted faces was found; the patch is as before.

@@ -118,3 +118,28 @@ fn a_function_outlives_its_context() {
     assert_eq!(std::sync::Arc::strong_count(&alive), 1);
     token.cancel();
 }
+
+/// A projection lives as long as a mesh or a copy that may call it, and no longer.
+#[test]
+fn a_projection_lives_with_the_copies() {
+    let options = Options::new().edit_boundary(true);
+    for first in 0..3 {
+        let alive = std::sync::Arc::new(());
+        let held = std::sync::Arc::clone(&alive);
+        let mut mesh = grid::mesh(&Context::new(), 4, 4);
+        mesh.set_projection(move |_, points: &[[f64; 2]], projected| {
+            let _ = &held;
+            projected.copy_from_slice(points);
+            std::ops::ControlFlow::Continue(())
+        })
+        .unwrap();
+        let copy = mesh.clone();
+        let mut all = vec![mesh, copy.clone(), copy];
+        for place in [first, 0, 0] {
+            all.iter_mut().for_each(|mesh| drop(mesh.adapt(None, 4.0, &options).unwrap()));
+            assert_eq!(std::sync::Arc::strong_count(&alive), 2);
+            drop(all.remove(place));
+        }
+        assert_eq!(std::sync::Arc::strong_count(&alive), 1);
+    }
+}

@@ -15,6 +15,7 @@ fn version_and_features() {
 fn statuses_have_their_numbers_and_names() {
     let known = [
         (-99, Status::Internal, "AMST_ERR_INTERNAL"),
+        (-20, Status::Projection, "AMST_ERR_PROJECTION"),
         (-19, Status::Chord, "AMST_ERR_CHORD"),
         (-18, Status::Geometry, "AMST_ERR_GEOMETRY"),
         (-17, Status::NoFilling, "AMST_ERR_NO_FILLING"),
