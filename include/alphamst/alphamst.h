@@ -455,6 +455,15 @@ AMST_API amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *ou
  * room for n ids. Errors: RANGE (vertex, n). */
 AMST_API amst_status amst_mesh_find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n,
                                           amst_id *edges);
+/* What pairs of triangles did to edges when the mesh was created or read; the ids are those of that time,
+ * whatever became of the mesh, and clones have the same. [n][2] vertices of sharp edges that are within quads
+ * since then; ascending. */
+AMST_API amst_status amst_mesh_get_crossed_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+                                                 int64_t *needed);
+/* [n][3]: two vertices, smaller id first, and the new one at the midpoint of the edge between them, which may
+ * be half of another edge. */
+AMST_API amst_status amst_mesh_get_split_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+                                               int64_t *needed);
 /* [n_vertices] number of edges at each vertex */
 AMST_API amst_status amst_mesh_get_valences(const amst_mesh *mesh, int32_t *out, int64_t capacity,
                                             int64_t *needed);

@@ -97,4 +97,14 @@ quadrangulate::QuadArrays quads_of(const Context &context, const char *call,
     return quads;
 }
 
+EdgeChanges changes_in(const quadrangulate::QuadArrays &quads) {
+    EdgeChanges changes;
+    for (const auto &[v, w] : quads.crossed)
+        changes.crossed.push_back({std::min(v, w), std::max(v, w)});
+    std::ranges::sort(changes.crossed);
+    for (const auto &[edge, vertex] : quads.midpoints)
+        changes.split.push_back({edge[0], edge[1], vertex});
+    return changes;
+}
+
 } // namespace alphamst::capi

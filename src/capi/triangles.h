@@ -15,4 +15,6 @@ std::vector<std::array<std::int32_t, 2>> edges_to_keep(const Options &options, i
 quadrangulate::QuadArrays quads_of(const Context &context, const char *call,
                                    const quadrangulate::Polygons &polygons, const Options &options);
 
+EdgeChanges changes_in(const quadrangulate::QuadArrays &quads);
+
 } // namespace alphamst::capi

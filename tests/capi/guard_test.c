@@ -158,6 +158,8 @@ static void arrays(void **state) {
     null_array(mesh, amst_mesh_get_faces, amst_id);
     null_array(mesh, amst_mesh_get_edges, amst_id);
     null_array(mesh, amst_mesh_get_edge_faces, amst_id);
+    null_array(mesh, amst_mesh_get_crossed_edges, amst_id);
+    null_array(mesh, amst_mesh_get_split_edges, amst_id);
     null_array(mesh, amst_mesh_get_valences, int32_t);
     null_array(mesh, amst_mesh_get_singularities, amst_id);
     null_array(mesh, mesh_flags, int32_t);

@@ -31,6 +31,13 @@ static double least_quality(const amst_mesh *mesh) {
 static const double octahedron[] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
 static const int32_t eight[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
 
+static amst_id edge_between(const amst_mesh *mesh, amst_id v, amst_id w) {
+    const amst_id pair[] = {v, w};
+    amst_id edge = 0;
+    must(amst_mesh_find_edges(mesh, pair, 1, &edge));
+    return edge;
+}
+
 static void crossing_is_told(void **state) {
     (void)state;
     amst_context *ctx = new_context(0);
@@ -41,6 +48,17 @@ static void crossing_is_told(void **state) {
     assert_int_equal(count(mesh, AMST_FACE), 4);
     assert_int_equal(heard.warnings, 1);
     assert_non_null(strstr(heard.text, "4 sharp edges"));
+    amst_id crossed[8], split[3];
+    int64_t needed = 0;
+    must(amst_mesh_get_crossed_edges(mesh, crossed, 8, &needed));
+    assert_int_equal(needed, 8);
+    for (int e = 0; e < 4; ++e) {
+        assert_true(crossed[2 * e] < crossed[2 * e + 1]);
+        assert_true(edge_between(mesh, crossed[2 * e], crossed[2 * e + 1]) < 0);
+        assert_true(e == 0 || crossed[2 * e - 2] <= crossed[2 * e]);
+    }
+    must(amst_mesh_get_split_edges(mesh, split, 3, &needed));
+    assert_int_equal(needed, 0);
     amst_mesh_destroy(mesh);
 
     amst_options *options = NULL;
@@ -64,8 +82,21 @@ static void boundary_vertices_are_told_or_forbidden(void **state) {
     must(amst_mesh_create(ctx, 2, points, 5, 0, 0, three, 3, 0, 0, 3, NULL, &mesh));
     assert_int_equal(heard.warnings, 1);
     assert_non_null(strstr(heard.text, "boundary"));
+    amst_mesh *copy = NULL;
+    must(amst_mesh_clone(mesh, &copy));
     amst_mesh_destroy(mesh);
     mesh = NULL;
+    amst_id split[3];
+    int64_t needed = 0;
+    must(amst_mesh_get_split_edges(copy, split, 3, &needed));
+    assert_int_equal(needed, 3);
+    assert_true(split[0] >= 1 && split[0] < split[1] && split[1] <= 5);
+    assert_int_equal(split[2], 6);
+    assert_true(edge_between(copy, split[0], split[2]) > 0);
+    assert_true(edge_between(copy, split[1], split[2]) > 0);
+    must(amst_mesh_get_crossed_edges(copy, NULL, 0, &needed));
+    assert_int_equal(needed, 0);
+    amst_mesh_destroy(copy);
 
     amst_options *options = NULL;
     must(amst_options_create(&options));
@@ -79,13 +110,6 @@ static void boundary_vertices_are_told_or_forbidden(void **state) {
     amst_mesh_destroy(mesh);
     amst_options_destroy(options);
     amst_context_destroy(ctx);
-}
-
-static amst_id edge_between(const amst_mesh *mesh, amst_id v, amst_id w) {
-    const amst_id pair[] = {v, w};
-    amst_id edge = 0;
-    must(amst_mesh_find_edges(mesh, pair, 1, &edge));
-    return edge;
 }
 
 /* Two triangles are one quad, unless the edge between them is named. */

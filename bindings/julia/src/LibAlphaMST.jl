@@ -276,6 +276,8 @@ end
     amst_mesh_set_points(mesh, points, n) = @ccall amst_mesh_set_points(mesh::Ptr{amst_mesh}, points::Ptr{Float64}, n::Int64)::Int32
     amst_mesh_get_faces(mesh, out, capacity, needed) = @ccall amst_mesh_get_faces(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_get_edges(mesh, out, capacity, needed) = @ccall amst_mesh_get_edges(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_crossed_edges(mesh, out, capacity, needed) = @ccall amst_mesh_get_crossed_edges(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_split_edges(mesh, out, capacity, needed) = @ccall amst_mesh_get_split_edges(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_get_edge_faces(mesh, out, capacity, needed) = @ccall amst_mesh_get_edge_faces(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_find_edges(mesh, pairs, n, edges) = @ccall amst_mesh_find_edges(mesh::Ptr{amst_mesh}, pairs::Ptr{Int32}, n::Int64, edges::Ptr{Int32})::Int32
     amst_mesh_get_valences(mesh, out, capacity, needed) = @ccall amst_mesh_get_valences(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32

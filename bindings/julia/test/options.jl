@@ -69,6 +69,9 @@ end
     options[:edges] = zeros(Int, 2, 0)
     @test size(options[:edges]) == (2, 0)
     @test size(faces(make(options))) == (4, 1)
+    @test size(crossed_edges(make(options))) == (2, 0)
+    @test size(split_edges(make(options))) == (3, 0)
+    @test sort(split_edges(make(Options(quadrangulate = 1)))[3, :]) == 5:9
     options[:edges] = reshape([4, 2], 2, 1)
     @test refusal(() -> make(options)) == "AMST_ERR_NOT_FOUND"
     @test_throws DimensionMismatch (options[:edges] = [1 2 3])

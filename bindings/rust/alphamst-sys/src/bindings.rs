@@ -500,6 +500,22 @@ extern "C" {
     ) -> amst_status;
 }
 extern "C" {
+    pub fn amst_mesh_get_crossed_edges(
+        mesh: *const amst_mesh,
+        out: *mut amst_id,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_split_edges(
+        mesh: *const amst_mesh,
+        out: *mut amst_id,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
     pub fn amst_mesh_get_valences(
         mesh: *const amst_mesh,
         out: *mut i32,

@@ -96,6 +96,9 @@ fn edges_are_not_crossed() {
     let options = Options::new();
     assert!(options.get_edges().is_empty());
     assert_eq!(make(&options).unwrap().faces().len(), 1);
+    assert!(make(&options).unwrap().crossed_edges().is_empty());
+    let split = make(&Options::new().quadrangulate(1).unwrap()).unwrap().split_edges();
+    assert!(split.len() == 5 && split.iter().any(|[v, w, _]| [*v, *w] == edge(0, 2)));
     let options = options.edges(&[edge(1, 3)]).edges(&[edge(2, 0)]);
     assert_eq!(options.get_edges(), [edge(2, 0)]);
     assert!(make(&options).unwrap().faces().len() > 1);
