@@ -1,7 +1,9 @@
 #include "quadrangulate/weighted_matching.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "index.h"
 
@@ -10,7 +12,7 @@ namespace alphamst::quadrangulate {
 // Weights are doubled and duals of nodes begin at such even numbers, so that those of the outer nodes of a
 // tree are all even or all odd and half of the slack between two of them is a whole number.
 WeightedMatching::WeightedMatching(std::size_t n_nodes, const std::vector<Edge> &edges)
-    : edges_(edges), mate_(n_nodes, -1), top_(n_nodes), edges_at_(n_nodes), in_tree_(n_nodes),
+    : edges_(edges), mate_(n_nodes, -1), top_(n_nodes), first_(n_nodes + 1), in_tree_(n_nodes),
       blossoms_(2 * n_nodes) {
     for (std::size_t v = 0; v < n_nodes; ++v) {
         top_[v] = blossoms_[v].base = static_cast<std::int32_t>(v);
@@ -21,9 +23,15 @@ WeightedMatching::WeightedMatching(std::size_t n_nodes, const std::vector<Edge> 
         edges_[e].weight *= 2;
         for (const std::int32_t v : edges_[e].ends) {
             blossoms_[at(v)].dual = std::max(blossoms_[at(v)].dual, edges_[e].weight);
-            edges_at_[at(v)].push_back(static_cast<std::int32_t>(e));
+            ++first_[at(v) + 1];
         }
     }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    incident_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+        for (const std::int32_t v : edges_[e].ends)
+            incident_[next[at(v)]++] = static_cast<std::int32_t>(e);
     for (Blossom &blossom : blossoms_) // nodes without edges
         if (blossom.dual == std::numeric_limits<std::int64_t>::min())
             blossom.dual = 0;
@@ -32,13 +40,14 @@ WeightedMatching::WeightedMatching(std::size_t n_nodes, const std::vector<Edge> 
 // Duals are lowered first to where an edge is tight, which leaves few nodes to be searched from.
 void WeightedMatching::run() {
     for (std::size_t v = 0; v < mate_.size(); ++v) {
-        if (mate_[v] >= 0 || edges_at_[v].empty())
+        const std::span<const std::int32_t> incident = edges_at(v);
+        if (mate_[v] >= 0 || incident.empty())
             continue;
-        std::int64_t least = slack(edges_at_[v].front());
-        for (const std::int32_t e : edges_at_[v])
+        std::int64_t least = slack(incident.front());
+        for (const std::int32_t e : incident)
             least = std::min(least, slack(e));
         blossoms_[v].dual -= least;
-        for (const std::int32_t e : edges_at_[v])
+        for (const std::int32_t e : incident)
             if (const std::int32_t w = other_end(e, static_cast<std::int32_t>(v));
                 mate_[v] < 0 && mate_[at(w)] < 0 && slack(e) == 0)
                 mate_[v] = mate_[at(w)] = e;
@@ -51,7 +60,7 @@ void WeightedMatching::run() {
 // Grows a tree until it meets another free node.
 void WeightedMatching::search(std::int32_t root) {
     now_ = 0;
-    events_ = {};
+    events_.clear();
     label(top_[at(root)], Label::outer);
     for (;;) {
         const Event event = next_event();
@@ -80,8 +89,9 @@ void WeightedMatching::search(std::int32_t root) {
 // Those that something else came before are still in the queue; what they are about comes again later.
 WeightedMatching::Event WeightedMatching::next_event() {
     while (!events_.empty()) {
-        const Event event = events_.top();
-        events_.pop();
+        std::ranges::pop_heap(events_, std::greater<>());
+        const Event event = events_.back();
+        events_.pop_back();
         now_ = event.when;
         if (event.blossom >= 0) {
             const Blossom &b = blossoms_[at(event.blossom)];
@@ -92,6 +102,11 @@ WeightedMatching::Event WeightedMatching::next_event() {
         }
     }
     return {};
+}
+
+void WeightedMatching::push(const Event &event) {
+    events_.push_back(event);
+    std::ranges::push_heap(events_, std::greater<>());
 }
 
 // Until the edge is tight, below 0 for one that does not become so.
@@ -108,11 +123,11 @@ std::int64_t WeightedMatching::time_left(std::int32_t edge) const {
 void WeightedMatching::announce(std::int32_t blossom) {
     if (blossoms_[at(top_[at(blossoms_[at(blossom)].base)])].label == Label::inner) {
         if (!is_node(blossom))
-            events_.push({now_ + dual(blossom) / 2, -1, blossom});
+            push({now_ + dual(blossom) / 2, -1, blossom});
     } else if (is_node(blossom)) {
-        for (const std::int32_t edge : edges_at_[at(blossom)])
+        for (const std::int32_t edge : edges_at(at(blossom)))
             if (const std::int64_t left = time_left(edge); left >= 0)
-                events_.push({now_ + left, edge, -1});
+                push({now_ + left, edge, -1});
     } else {
         for (const std::int32_t part : blossoms_[at(blossom)].parts)
             announce(part);

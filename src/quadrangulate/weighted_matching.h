@@ -5,8 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <queue>
+#include <span>
 #include <vector>
 
 namespace alphamst::quadrangulate {
@@ -50,6 +49,7 @@ private:
 
     void search(std::int32_t root);
     Event next_event();
+    void push(const Event &event);
     std::int64_t time_left(std::int32_t edge) const;
     void announce(std::int32_t blossom);
     std::int64_t dual(std::int32_t blossom) const;
@@ -65,6 +65,9 @@ private:
     void alternate(std::int32_t node, std::int32_t added);
     void rotate(std::int32_t blossom, std::int32_t node);
 
+    std::span<const std::int32_t> edges_at(std::size_t node) const {
+        return {incident_.data() + first_[node], first_[node + 1] - first_[node]};
+    }
     bool is_node(std::int32_t blossom) const { return static_cast<std::size_t>(blossom) < mate_.size(); }
     std::int32_t other_end(std::int32_t edge, std::int32_t node) const;
     std::int32_t top(std::int32_t edge, std::size_t end) const;
@@ -76,14 +79,15 @@ private:
     std::int64_t slack(std::int32_t edge) const;
 
     std::vector<Edge> edges_;
-    std::vector<std::int32_t> mate_;                  // the edge of each node
-    std::vector<std::int32_t> top_;                   // the outermost blossom around each node
-    std::vector<std::vector<std::int32_t>> edges_at_; // of each node
-    std::vector<std::int32_t> tree_;                  // nodes that are in it or were
+    std::vector<std::int32_t> mate_; // the edge of each node
+    std::vector<std::int32_t> top_;  // the outermost blossom around each node
+    std::vector<std::size_t> first_; // of the edges at each node, in the next list
+    std::vector<std::int32_t> incident_;
+    std::vector<std::int32_t> tree_; // nodes that are in it or were
     std::vector<bool> in_tree_;
     std::vector<Blossom> blossoms_; // the nodes first
     std::int64_t now_ = 0;          // what the dual of the root has lost since the search began
-    std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
+    std::vector<Event> events_;     // a heap, the next one first
 };
 
 } // namespace alphamst::quadrangulate

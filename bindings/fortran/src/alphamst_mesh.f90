@@ -11,7 +11,8 @@ module alphamst_mesh
         amst_mesh_create_i64, &
         amst_mesh_destroy, amst_mesh_detect_features, amst_mesh_find_edges, amst_mesh_forget, &
         amst_mesh_get_alignment, amst_mesh_get_checksum, amst_mesh_get_chord, amst_mesh_get_chord_ids, amst_mesh_get_chords, &
-        amst_mesh_get_count, amst_mesh_get_crossed_edges, amst_mesh_get_split_edges, amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
+        amst_mesh_get_count, amst_mesh_get_crossed_edges, amst_mesh_get_split_edges, &
+        amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
         amst_mesh_get_faces, amst_mesh_get_field, amst_mesh_get_flags, amst_mesh_get_points, amst_mesh_get_quality, &
         amst_mesh_get_revision, amst_mesh_get_singularities, amst_mesh_get_summary, &
         amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_remove_field, &
