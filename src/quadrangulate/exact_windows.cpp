@@ -18,7 +18,7 @@ constexpr std::array<std::int64_t, TriangleDual::stages> weight_of_stage{0, 10'0
 // Nodes of windows. So many of each are tried, and one more for so many nodes: the time they
 // take grows with about the square of their size, and shall stay below that of the matching.
 constexpr std::array<std::size_t, 3> sizes{48, 192, 768};
-constexpr std::array<std::size_t, 3> least_windows{500, 100, 20};
+constexpr std::array<std::size_t, 3> least_windows{500, 100, 30};
 constexpr std::array<std::size_t, 3> nodes_per_window{50, 300, 10000};
 
 class Windows {

@@ -73,7 +73,8 @@ public:
             if (round == 0)
                 matching.improve();
             match_windows(dual_, matching, matched);
-            matched = matching.sides();
+            if (!sides_.diagonals.empty()) // one of many tries
+                matched = matching.sides();
             if (!take_crosses(matching))
                 break;
         }
