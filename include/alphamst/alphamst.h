@@ -362,6 +362,14 @@ AMST_API amst_status amst_options_set_int(amst_options *options, int32_t key, in
 AMST_API amst_status amst_options_set_real(amst_options *options, int32_t key, double value);
 AMST_API amst_status amst_options_get_int(const amst_options *options, int32_t key, int64_t *value);
 AMST_API amst_status amst_options_get_real(const amst_options *options, int32_t key, double *value);
+/* Edges that no pair of triangles crosses in amst_mesh_create and amst_mesh_read: edge e is between
+ * vertices[2 * e] and vertices[2 * e + 1], ids of the mesh given, in the index base of its context. They take
+ * the place of those set before; n_edges 0: none. An edge may get a vertex at its midpoint. In the new mesh
+ * they are no features, unless amst_mesh_set_flags makes them some. Errors: NULL, RANGE (count). */
+AMST_API amst_status amst_options_set_edges(amst_options *options, const amst_id *vertices, int64_t n_edges);
+/* 2 elements an edge, as they were set. */
+AMST_API amst_status amst_options_get_edges(const amst_options *options, amst_id *out, int64_t capacity,
+                                            int64_t *needed);
 
 /* --------------------------------------------------------------------- mesh */
 
@@ -375,18 +383,19 @@ AMST_API amst_status amst_options_get_real(const amst_options *options, int32_t 
  *  0  Triangles are merged in pairs along a common side, by quality: no quad is concave or flat where
  *     another pairing has none nearby. Pairs do not cross edges whose faces have normals more than
  *     AMST_OPT_SHARP_ANGLE apart, unless a flat side between such edges has an odd number of
- *     triangles; AMST_LOG_WARNING says which. Nothing is sharp in a plane (equal z), nor on rough
- *     surfaces, such as scans, where angles beyond are as common as those below. Four triangles that
- *     are a flat square become one quad; their vertex stays, without faces. The boundary stays where
- *     a component has an even number of triangles; else a side on it gets a vertex at its midpoint,
- *     which AMST_OPT_KEEP_BOUNDARY forbids. Triangles that are left over are brought together: quads
+ *     triangles; AMST_LOG_WARNING says which. They never cross those of amst_options_set_edges. Nothing is
+ * sharp in a plane (equal z), nor on rough surfaces, such as scans, where angles beyond are as common as
+ * those below. Four triangles that are a flat square become one quad; their vertex stays, without faces. The
+ * boundary stays where a component has an even number of triangles; else a side on it gets a vertex at its
+ * midpoint, which AMST_OPT_KEEP_BOUNDARY forbids. Triangles that are left over are brought together: quads
  *     between them are paired anew, or split in a row. A quad that is flat at a vertex on the
  *     boundary, a sharp edge or the border of a region becomes five. One triangle on its own is split
  *     as by 1, and so is a closed surface where nothing can be paired, such as a tetrahedron.
  *  1  Every edge gets a vertex at its midpoint and every face one inside: three quads of
  *     a triangle, four of a quad.
  * Errors: ARGUMENT (dim, stride, corners_per_face; a boundary that cannot be kept), RANGE (corner
- * id, count), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD; ids in their sentences are those given. */
+ * id, count), NOT_FOUND (an edge of the options is no side of a face), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD;
+ * ids in their sentences are those given. */
 AMST_API amst_status amst_mesh_create(amst_context *ctx, int32_t dim, const double *coords,
                                       int64_t n_vertices, int64_t vertex_stride, int64_t component_stride,
                                       const int32_t *faces, int64_t n_faces, int64_t face_stride,
@@ -446,6 +455,15 @@ AMST_API amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *ou
  * room for n ids. Errors: RANGE (vertex, n). */
 AMST_API amst_status amst_mesh_find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n,
                                           amst_id *edges);
+/* What pairs of triangles did to edges when the mesh was created or read; the ids are those of that time,
+ * whatever became of the mesh, and clones have the same. [n][2] vertices of sharp edges that are within quads
+ * since then; ascending. */
+AMST_API amst_status amst_mesh_get_crossed_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+                                                 int64_t *needed);
+/* [n][3]: two vertices, smaller id first, and the new one at the midpoint of the edge between them, which may
+ * be half of another edge. */
+AMST_API amst_status amst_mesh_get_split_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+                                               int64_t *needed);
 /* [n_vertices] number of edges at each vertex */
 AMST_API amst_status amst_mesh_get_valences(const amst_mesh *mesh, int32_t *out, int64_t capacity,
                                             int64_t *needed);

@@ -18,14 +18,16 @@ namespace alphamst::capi {
 namespace {
 
 // Without triangles.
-io::Arrays all_quad(const Context &context, io::Arrays arrays, const Options &options) {
+io::Arrays all_quad(const Context &context, io::Arrays arrays, const Options &options, EdgeChanges &changes) {
+    std::vector<std::array<std::int32_t, 2>> curves =
+        edges_to_keep(options, context.index_base, arrays.faces);
     if (!mesh::any_triangle(arrays.faces))
         return arrays;
-    std::vector<std::array<std::int32_t, 2>> curves;
     for (const auto &[vertices, marker] : arrays.marked_edges)
         curves.push_back(vertices);
     quadrangulate::QuadArrays quads = quads_of(
         context, "amst_mesh_read", {arrays.points, arrays.faces, arrays.face_marker, curves}, options);
+    changes = changes_in(quads);
     io::Arrays result;
     result.dim = arrays.dim;
     result.curve_numbers = arrays.curve_numbers;
@@ -133,9 +135,12 @@ amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_optio
         const std::shared_ptr<Context> &context = required(ctx, "ctx").impl;
         required(path, "path");
         amst_mesh *&created = required(out, "out");
+        EdgeChanges changes;
         std::shared_ptr<mesh::QuadMesh> mesh(
-            new mesh::QuadMesh(mesh_of(all_quad(*context, io::read(path), options_of(options)))));
-        created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
+            new mesh::QuadMesh(mesh_of(all_quad(*context, io::read(path), options_of(options), changes))));
+        auto made = std::make_shared<Mesh>(context, std::move(mesh));
+        made->at_creation = std::move(changes);
+        created = new amst_mesh{std::move(made)};
     });
 }
 

@@ -2,6 +2,7 @@
 // share of their parent's, so that handles can be destroyed in any order.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <limits>
@@ -34,6 +35,12 @@ struct Context {
     void require_idle() const;
 };
 
+// Of the faces given, while quads were made of triangles.
+struct EdgeChanges {
+    std::vector<std::array<std::int32_t, 2>> crossed; // vertices, smaller first, ascending
+    std::vector<std::array<std::int32_t, 3>> split;   // and the vertex at the midpoint
+};
+
 struct Mesh {
     Mesh(std::shared_ptr<Context> context, std::shared_ptr<mesh::QuadMesh> current)
         : context(std::move(context)), current(std::move(current)) {}
@@ -50,6 +57,7 @@ struct Mesh {
     std::vector<Savepoint> savepoints;
     amst_projection_fn projection = nullptr; // of the boundary
     void *projection_user = nullptr;
+    EdgeChanges at_creation;
 
     // The current mesh, to be changed in place: no savepoint shares it afterwards.
     mesh::QuadMesh &writable();

@@ -32,6 +32,15 @@ void edge_pairs(const amst_mesh *handle, amst_id *out, std::int64_t capacity, st
             *out++ = capi::out(base, index);
 }
 
+template <std::size_t n>
+void rows_of_ids(const std::vector<std::array<std::int32_t, n>> &rows, int base, amst_id *out,
+                 std::int64_t capacity, std::int64_t *needed) {
+    if (answer(out, capacity, needed, static_cast<std::int64_t>(n * rows.size())))
+        for (const auto &row : rows)
+            for (const std::int32_t id : row)
+                *out++ = capi::out(base, id);
+}
+
 } // namespace
 
 mesh::QuadMesh &Mesh::writable() {
@@ -55,6 +64,7 @@ amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out) {
         copy->last_revision = from.last_revision;
         copy->projection = from.projection;
         copy->projection_user = from.projection_user;
+        copy->at_creation = from.at_creation;
         created = new amst_mesh{std::move(copy)};
     });
 }
@@ -152,6 +162,21 @@ amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *out, std::i
     return guarded(index_base(mesh), [&] {
         edge_pairs(mesh, out, capacity, needed,
                    [](const mesh::QuadMesh &asked, int e) { return asked.edge_faces(e); });
+    });
+}
+
+amst_status amst_mesh_get_crossed_edges(const amst_mesh *mesh, amst_id *out, std::int64_t capacity,
+                                        std::int64_t *needed) {
+    return guarded(index_base(mesh), [&] {
+        rows_of_ids(required(mesh, "mesh").impl->at_creation.crossed, index_base(mesh), out, capacity,
+                    needed);
+    });
+}
+
+amst_status amst_mesh_get_split_edges(const amst_mesh *mesh, amst_id *out, std::int64_t capacity,
+                                      std::int64_t *needed) {
+    return guarded(index_base(mesh), [&] {
+        rows_of_ids(required(mesh, "mesh").impl->at_creation.split, index_base(mesh), out, capacity, needed);
     });
 }
 

@@ -76,11 +76,13 @@ std::span<const std::int32_t> faces_of(const Strided<Id> &corners, int index_bas
 }
 
 mesh::QuadMesh build(const Context &context, int dim, std::span<const double> points,
-                     std::span<const std::int32_t> faces, const Options &options) {
+                     std::span<const std::int32_t> faces, const Options &options, EdgeChanges &changes) {
+    const auto edges = edges_to_keep(options, context.index_base, faces);
     if (!mesh::any_triangle(faces))
         return mesh::QuadMesh::build(dim, points, faces);
     const quadrangulate::QuadArrays quads =
-        quads_of(context, "amst_mesh_create", {points, faces, {}, {}}, options);
+        quads_of(context, "amst_mesh_create", {points, faces, {}, edges}, options);
+    changes = changes_in(quads);
     return mesh::QuadMesh::build(dim, quads.points, quads.faces);
 }
 
@@ -105,11 +107,14 @@ void create(amst_context *ctx, std::int32_t dim, const double *coords, std::int6
         strided(faces, n_faces, corners_per_face, face_stride, corner_stride, "face_stride", "corner_stride");
     std::vector<double> kept_points;
     std::vector<std::int32_t> kept_faces;
+    EdgeChanges changes;
     // Built in place: the kernel has no move constructor.
     std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(
         build(*context, dim, points_of(points, kept_points),
-              faces_of(corners, context->index_base, n_vertices, kept_faces), options_of(options))));
-    created = new amst_mesh{std::make_shared<Mesh>(context, std::move(mesh))};
+              faces_of(corners, context->index_base, n_vertices, kept_faces), options_of(options), changes)));
+    auto made = std::make_shared<Mesh>(context, std::move(mesh));
+    made->at_creation = std::move(changes);
+    created = new amst_mesh{std::move(made)};
 }
 
 } // namespace

@@ -1,11 +1,15 @@
 #include "capi/options.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
+#include "capi/array.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
 
@@ -172,5 +176,28 @@ amst_status amst_options_get_real(const amst_options *options, std::int32_t key,
     return guarded(0, [&] {
         const Options &settings = required(options, "options").impl;
         required(value, "value") = find(reals, key).get(settings);
+    });
+}
+
+amst_status amst_options_set_edges(amst_options *options, const amst_id *vertices, std::int64_t n_edges) {
+    return guarded(0, [&] {
+        Options &settings = required(options, "options").impl;
+        require_array(vertices, n_edges, "vertices", "n_edges");
+        std::vector<std::array<amst_id, 2>> edges;
+        for (std::int64_t e = 0; e < n_edges; ++e)
+            edges.push_back({vertices[2 * e], vertices[2 * e + 1]});
+        settings.edges = std::move(edges);
+    });
+}
+
+amst_status amst_options_get_edges(const amst_options *options, amst_id *out, std::int64_t capacity,
+                                   std::int64_t *needed) {
+    return guarded(0, [&] {
+        const auto &edges = required(options, "options").impl.edges;
+        if (answer(out, capacity, needed, 2 * static_cast<std::int64_t>(edges.size())))
+            for (const auto &[v, w] : edges) {
+                *out++ = v;
+                *out++ = w;
+            }
     });
 }

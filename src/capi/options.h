@@ -1,6 +1,7 @@
 // Numeric settings by key, each with a default and a range.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,7 +19,8 @@ struct Options : Settings {
     quadrangulate::Quadrangulation quadrangulate = quadrangulate::Quadrangulation::pair;
     double sharp_angle = 40; // beyond which triangles are not paired
     bool keep_boundary = false;
-    bool by_chords = false; // how whole meshes are adapted
+    std::vector<std::array<amst_id, 2>> edges; // that are not crossed, as the caller numbers vertices
+    bool by_chords = false;                    // how whole meshes are adapted
     double min_convexity = 0.6;
     double patch_faces = 100;
 };

@@ -1,5 +1,6 @@
 #include "capi/triangles.h"
 
+#include <algorithm>
 #include <string>
 
 #include "quadrangulate/halve.h"
@@ -37,6 +38,33 @@ std::vector<Edge> halved(const quadrangulate::QuadArrays &quads, std::size_t n_g
 
 } // namespace
 
+std::vector<Edge> edges_to_keep(const Options &options, int index_base, mesh::Faces faces) {
+    std::vector<Edge> edges;
+    for (const auto &[v, w] : options.edges) // an id below the base is that of no corner
+        edges.push_back({v < index_base ? -1 : v - index_base, w < index_base ? -1 : w - index_base});
+    if (edges.empty())
+        return edges;
+    std::vector<Edge> wanted;
+    for (const auto &[v, w] : edges)
+        wanted.push_back({std::min(v, w), std::max(v, w)});
+    std::ranges::sort(wanted);
+    std::vector<Edge> found;
+    for (std::size_t c = 0; c < faces.size(); ++c)
+        if (const std::size_t next = mesh::next_corner(faces, c); faces[c] >= 0)
+            if (const Edge side{std::min(faces[c], faces[next]), std::max(faces[c], faces[next])};
+                std::ranges::binary_search(wanted, side))
+                found.push_back(side);
+    std::ranges::sort(found);
+    std::vector<Edge> missing;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (!std::ranges::binary_search(
+                found, Edge{std::min(edges[e][0], edges[e][1]), std::max(edges[e][0], edges[e][1])}))
+            missing.push_back(options.edges[e]);
+    if (!missing.empty())
+        throw Failure(Fault::not_found, list(" edges of the options are no sides of faces", missing, 0));
+    return edges;
+}
+
 quadrangulate::QuadArrays quads_of(const Context &context, const char *call,
                                    const quadrangulate::Polygons &polygons, const Options &options) {
     quadrangulate::QuadArrays quads = quadrangulate::quadrangulate(
@@ -67,6 +95,16 @@ quadrangulate::QuadArrays quads_of(const Context &context, const char *call,
                                std::to_string(n_given + static_cast<std::size_t>(context.index_base)) +
                                " on");
     return quads;
+}
+
+EdgeChanges changes_in(const quadrangulate::QuadArrays &quads) {
+    EdgeChanges changes;
+    for (const auto &[v, w] : quads.crossed)
+        changes.crossed.push_back({std::min(v, w), std::max(v, w)});
+    std::ranges::sort(changes.crossed);
+    for (const auto &[edge, vertex] : quads.midpoints)
+        changes.split.push_back({edge[0], edge[1], vertex});
+    return changes;
 }
 
 } // namespace alphamst::capi

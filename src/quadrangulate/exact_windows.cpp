@@ -24,24 +24,40 @@ constexpr std::array<std::size_t, 3> nodes_per_window{50, 300, 10000};
 class Windows {
 public:
     Windows(const TriangleDual &dual, Matching &matching)
-        : dual_(dual), matching_(matching), place_(dual.n_nodes(), -1) {}
+        : dual_(dual), matching_(matching), place_(dual.n_nodes(), -1), seen_(dual.n_nodes()) {}
 
-    void run() {
+    void run(std::span<const std::int8_t> sides_before) {
         std::vector<std::int32_t> due;
         for (std::size_t p = 0; p < dual_.across.size(); p += 3)
-            if (std::any_of(dual_.stage.begin() + static_cast<std::ptrdiff_t>(p),
-                            dual_.stage.begin() + static_cast<std::ptrdiff_t>(p) + 3,
-                            [](std::uint8_t stage) { return stage != TriangleDual::never; }))
-                due.push_back(static_cast<std::int32_t>(p / 3));
+            if (const auto node = static_cast<std::int32_t>(p / 3);
+                is_bad(node) && has_edges(p) &&
+                (sides_before.empty() || sides_before[at(node)] != matching_.side(node)))
+                due.push_back(node);
         for (std::size_t i = 0; i < sizes.size(); ++i) {
             std::erase_if(due, [&](std::int32_t node) { return !is_bad(node); });
-            for (std::size_t n = 0; const std::int32_t node : due)
-                if (is_bad(node) && n++ < least_windows[i] + dual_.n_nodes() / nodes_per_window[i])
+            std::size_t n = 0;
+            for (const std::int32_t node : due)
+                if (is_bad(node) && seen_[at(node)] <= i && n < most_windows(i)) {
                     solve(node, sizes[i]);
+                    ++n;
+                    const bool is_all = nodes_.size() < sizes[i]; // that are connected
+                    for (const std::int32_t inside : nodes_)
+                        seen_[at(inside)] = static_cast<std::uint8_t>(is_all ? sizes.size() : i + 1);
+                }
         }
     }
 
 private:
+    std::size_t most_windows(std::size_t i) const {
+        return least_windows[i] + dual_.n_nodes() / nodes_per_window[i];
+    }
+
+    bool has_edges(std::size_t first) const {
+        return std::any_of(dual_.stage.begin() + static_cast<std::ptrdiff_t>(first),
+                           dual_.stage.begin() + static_cast<std::ptrdiff_t>(first) + 3,
+                           [](std::uint8_t stage) { return stage != TriangleDual::never; });
+    }
+
     struct Value {
         std::size_t matched = 0;
         std::int64_t cost = 0;
@@ -141,10 +157,13 @@ private:
     Matching &matching_;
     std::vector<std::int32_t> place_; // of each node in the window, -1: not in it
     std::vector<std::int32_t> nodes_;
+    std::vector<std::uint8_t> seen_; // of each node: windows of so many sizes need not begin there any more
 };
 
 } // namespace
 
-void match_windows(const TriangleDual &dual, Matching &matching) { Windows(dual, matching).run(); }
+void match_windows(const TriangleDual &dual, Matching &matching, std::span<const std::int8_t> sides_before) {
+    Windows(dual, matching).run(sides_before);
+}
 
 } // namespace alphamst::quadrangulate

@@ -42,6 +42,7 @@ public:
     // Lin and Kernighan (1973): every cycle that gains can be begun where all partial sums gain.
     void improve();
 
+    const std::vector<std::int8_t> &sides() const { return side_; }
     int side(int node) const { return side_[static_cast<std::size_t>(node)]; } // -1: not matched
     int mate(int node) const; // -1: not matched, or to the outside
 

@@ -51,7 +51,7 @@ public:
         : points_(points), faces_(faces), sides_(sides), may_leave_(may_leave), fixed_(points.size() / 3),
           node_of_(faces.size() / 4, -1), taken_(faces.size() / 4) {
         for (std::size_t c = 0; c < faces.size(); ++c)
-            if (faces[c] >= 0 && (sides.across[c] < 0 || sides.bars[c] >= Bar::sharp))
+            if (faces[c] >= 0 && (sides.across[c] < 0) == (sides.bars[c] < Bar::sharp))
                 fixed_[at(faces[c])] = fixed_[at(faces[mesh::next_corner(faces, c)])] = true;
         for (std::size_t f = 0; f < node_of_.size(); ++f)
             if (mesh::is_triangle(faces, f)) {
@@ -64,6 +64,7 @@ public:
     Pairing run() {
         Matching matching(dual_);
         matching.take_cheapest(sound);
+        std::vector<std::int8_t> matched;
         for (int round = 0; round < most_rounds; ++round) {
             for (const Stage stage : {sound, unsound, border})
                 matching.augment(stage);
@@ -71,7 +72,9 @@ public:
                 leave(matching);
             if (round == 0)
                 matching.improve();
-            match_windows(dual_, matching);
+            match_windows(dual_, matching, matched);
+            if (!sides_.diagonals.empty()) // one of many tries
+                matched = matching.sides();
             if (!take_crosses(matching))
                 break;
         }
@@ -90,7 +93,7 @@ private:
             const std::size_t c = corner(p);
             if (sides_.across[c] < 0) {
                 dual_.across[p] = TriangleDual::outside;
-                if (may_leave_)
+                if (may_leave_ && sides_.bars[c] == Bar::none)
                     dual_.stage[p] = exits;
             } else if (const std::int32_t other = node_of_[at(sides_.across[c] / 4)]; other >= 0) {
                 const std::size_t q = 3 * at(other) + at(sides_.across[c] % 4);

@@ -50,7 +50,7 @@ struct Pairing {
 
 struct TriangleSides {
     std::vector<std::int32_t> across; // the corner on the other side of the edge of each corner, -1: boundary
-    std::vector<Bar> bars;            // of each corner
+    std::vector<Bar> bars;            // of each corner; curve without one across: the mesh goes on there
     std::vector<bool> diagonals; // or empty: of each corner, whether the two triangles were given as a quad
 };
 

@@ -9,7 +9,6 @@
 #include "failure.h"
 #include "index.h"
 #include "quadrangulate/bars.h"
-#include "quadrangulate/cut.h"
 #include "quadrangulate/flat_sides.h"
 #include "quadrangulate/halve.h"
 #include "quadrangulate/joining.h"
@@ -17,6 +16,7 @@
 #include "quadrangulate/pillow.h"
 #include "quadrangulate/recut.h"
 #include "quadrangulate/row.h"
+#include "quadrangulate/through_quads.h"
 
 namespace alphamst::quadrangulate {
 namespace {
@@ -139,44 +139,6 @@ std::vector<Edge> boundary_edges(mesh::Faces faces, const std::vector<std::int32
     return edges;
 }
 
-// Everything that a pairing refers to.
-struct Paired {
-    Cut cut;
-    TriangleSides sides;
-    Pairing pairing;
-};
-
-// Pairs once more, with the quads near poor pairs cut in two; of some ways to cut them the best, each
-// trying others where the one before left something poor.
-void pair_through_quads(const Polygons &polygons, const PairingRules &rules, Paired &best) {
-    // Few of a large mesh: each looks at all of it.
-    const std::size_t trials = std::clamp<std::size_t>(4'000'000 / polygons.faces.size(), 2, 16);
-    constexpr int layers = 3; // about as far as a path goes that turns around a vertex
-    const std::vector<std::int32_t> across = best.sides.across;
-    std::vector<std::int8_t> diagonals = parallel_diagonals(polygons.faces, across);
-    constexpr int most_in_vain = 4; // then what is poor is so however quads are cut
-    int in_vain = 0;
-    for (std::size_t trial = 0; trial < trials && in_vain < most_in_vain && !best.pairing.poor.empty();
-         ++trial) {
-        Paired next;
-        next.cut = cut_quads(polygons.points, polygons.faces, diagonals);
-        const Cut &cut = next.cut;
-        next.sides.across = across_edges(cut.faces, mesh::pair_sides(cut.faces, polygons.points.size() / 3));
-        next.sides.bars = bars_of(polygons, cut.faces, cut.origin, next.sides.across, rules.sharp_angle);
-        unite_odd_sides(polygons.points, cut.faces, next.sides);
-        next.sides.diagonals = cut.diagonals;
-        next.pairing = pair_triangles(polygons.points, cut.faces, next.sides, rules.new_boundary_vertices);
-        std::vector<std::int32_t> poor;
-        for (const std::int32_t face : next.pairing.poor)
-            poor.push_back(cut.origin[at(face)]);
-        draw_diagonals(polygons.faces, across, poor, layers, trial, diagonals);
-        const bool is_better = next.pairing.poor.size() < best.pairing.poor.size();
-        in_vain = is_better ? 0 : in_vain + 1;
-        if (is_better)
-            best = std::move(next);
-    }
-}
-
 void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, const PairingRules &rules,
           QuadArrays &quads) {
     Paired paired;
@@ -190,7 +152,7 @@ void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, const Pair
         require_even(polygons.faces, sides.across);
     paired.pairing = pair_triangles(polygons.points, polygons.faces, sides, rules.new_boundary_vertices);
     if (!paired.pairing.poor.empty() && has_quads(polygons.faces))
-        pair_through_quads(polygons, rules, paired);
+        pair_through_quads(polygons, rules.new_boundary_vertices, paired);
     split_bodies(sides.across, paired.pairing.choices);
     const mesh::Faces faces = paired.cut.faces.empty() ? polygons.faces : mesh::Faces(paired.cut.faces);
     std::vector<Edge> flat = join({faces, paired.cut.origin, polygons.faces, sides, paired.pairing}, quads);

@@ -1,7 +1,9 @@
 #include "quadrangulate/weighted_matching.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "index.h"
 
@@ -10,7 +12,7 @@ namespace alphamst::quadrangulate {
 // Weights are doubled and duals of nodes begin at such even numbers, so that those of the outer nodes of a
 // tree are all even or all odd and half of the slack between two of them is a whole number.
 WeightedMatching::WeightedMatching(std::size_t n_nodes, const std::vector<Edge> &edges)
-    : edges_(edges), mate_(n_nodes, -1), top_(n_nodes), edges_at_(n_nodes), in_tree_(n_nodes),
+    : edges_(edges), mate_(n_nodes, -1), top_(n_nodes), first_(n_nodes + 1), in_tree_(n_nodes),
       blossoms_(2 * n_nodes) {
     for (std::size_t v = 0; v < n_nodes; ++v) {
         top_[v] = blossoms_[v].base = static_cast<std::int32_t>(v);
@@ -21,19 +23,34 @@ WeightedMatching::WeightedMatching(std::size_t n_nodes, const std::vector<Edge> 
         edges_[e].weight *= 2;
         for (const std::int32_t v : edges_[e].ends) {
             blossoms_[at(v)].dual = std::max(blossoms_[at(v)].dual, edges_[e].weight);
-            edges_at_[at(v)].push_back(static_cast<std::int32_t>(e));
+            ++first_[at(v) + 1];
         }
     }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    incident_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+        for (const std::int32_t v : edges_[e].ends)
+            incident_[next[at(v)]++] = static_cast<std::int32_t>(e);
     for (Blossom &blossom : blossoms_) // nodes without edges
         if (blossom.dual == std::numeric_limits<std::int64_t>::min())
             blossom.dual = 0;
 }
 
+// Duals are lowered first to where an edge is tight, which leaves few nodes to be searched from.
 void WeightedMatching::run() {
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-        const auto [v, w] = edges_[e].ends;
-        if (mate_[at(v)] < 0 && mate_[at(w)] < 0 && slack(static_cast<std::int32_t>(e)) == 0)
-            mate_[at(v)] = mate_[at(w)] = static_cast<std::int32_t>(e);
+    for (std::size_t v = 0; v < mate_.size(); ++v) {
+        const std::span<const std::int32_t> incident = edges_at(v);
+        if (mate_[v] >= 0 || incident.empty())
+            continue;
+        std::int64_t least = slack(incident.front());
+        for (const std::int32_t e : incident)
+            least = std::min(least, slack(e));
+        blossoms_[v].dual -= least;
+        for (const std::int32_t e : incident)
+            if (const std::int32_t w = other_end(e, static_cast<std::int32_t>(v));
+                mate_[v] < 0 && mate_[at(w)] < 0 && slack(e) == 0)
+                mate_[v] = mate_[at(w)] = e;
     }
     for (std::size_t v = 0; v < mate_.size(); ++v)
         if (mate_[v] < 0)
@@ -42,12 +59,13 @@ void WeightedMatching::run() {
 
 // Grows a tree until it meets another free node.
 void WeightedMatching::search(std::int32_t root) {
+    now_ = 0;
+    events_.clear();
     label(top_[at(root)], Label::outer);
     for (;;) {
         const Event event = next_event();
-        if (event.delta < 0)
+        if (event.edge < 0 && event.blossom < 0)
             break;
-        change_duals(event.delta);
         if (event.blossom >= 0) {
             expand(event.blossom);
             continue;
@@ -68,47 +86,86 @@ void WeightedMatching::search(std::int32_t root) {
     forget();
 }
 
-WeightedMatching::Event WeightedMatching::next_event() const {
-    Event best;
-    const auto take = [&](std::int64_t delta, std::int32_t edge, std::int32_t blossom) {
-        if (best.delta < 0 || delta < best.delta)
-            best = {delta, edge, blossom};
-    };
-    for (const std::int32_t node : tree_) {
-        const std::int32_t b = top_[at(node)];
-        const Label label = blossoms_[at(b)].label;
-        if (label == Label::inner && !is_node(b))
-            take(blossoms_[at(b)].dual / 2, -1, b);
-        if (label != Label::outer)
-            continue;
-        for (const std::int32_t edge : edges_at_[at(node)]) {
-            const std::int32_t other = top_[at(other_end(edge, node))];
-            const Label second = blossoms_[at(other)].label;
-            if (other != b && second != Label::inner)
-                take(second == Label::outer ? slack(edge) / 2 : slack(edge), edge, -1);
+// Those that something else came before are still in the queue; what they are about comes again later.
+WeightedMatching::Event WeightedMatching::next_event() {
+    while (!events_.empty()) {
+        std::ranges::pop_heap(events_, std::greater<>());
+        const Event event = events_.back();
+        events_.pop_back();
+        now_ = event.when;
+        if (event.blossom >= 0) {
+            const Blossom &b = blossoms_[at(event.blossom)];
+            if (b.in_use && b.parent < 0 && b.label == Label::inner && dual(event.blossom) == 0)
+                return event;
+        } else if (const std::int64_t left = time_left(event.edge); left == 0) {
+            return event;
         }
-        if (best.delta == 0)
-            break;
     }
-    return best;
+    return {};
 }
 
-void WeightedMatching::change_duals(std::int64_t delta) {
-    if (delta == 0)
-        return;
-    for (const std::int32_t node : tree_) {
-        const std::int32_t b = top_[at(node)];
-        const Label label = blossoms_[at(b)].label;
-        const std::int64_t change = label == Label::outer ? delta : label == Label::inner ? -delta : 0;
-        blossoms_[at(node)].dual -= change;
-        if (!is_node(b) && blossoms_[at(b)].base == node)
-            blossoms_[at(b)].dual += 2 * change;
+void WeightedMatching::push(const Event &event) {
+    events_.push_back(event);
+    std::ranges::push_heap(events_, std::greater<>());
+}
+
+// Until the edge is tight, below 0 for one that does not become so.
+std::int64_t WeightedMatching::time_left(std::int32_t edge) const {
+    const std::int32_t v = top(edge, 0), w = top(edge, 1);
+    const Label first = blossoms_[at(v)].label, second = blossoms_[at(w)].label;
+    if (v == w || first == Label::inner || second == Label::inner ||
+        (first == second && first != Label::outer))
+        return -1;
+    return first == second ? slack(edge) / 2 : slack(edge);
+}
+
+// What will come of a blossom whose label, or surroundings, have changed.
+void WeightedMatching::announce(std::int32_t blossom) {
+    if (blossoms_[at(top_[at(blossoms_[at(blossom)].base)])].label == Label::inner) {
+        if (!is_node(blossom))
+            push({now_ + dual(blossom) / 2, -1, blossom});
+    } else if (is_node(blossom)) {
+        for (const std::int32_t edge : edges_at(at(blossom)))
+            if (const std::int64_t left = time_left(edge); left >= 0)
+                push({now_ + left, edge, -1});
+    } else {
+        for (const std::int32_t part : blossoms_[at(blossom)].parts)
+            announce(part);
     }
+}
+
+// Of a node or an outermost blossom at this time: duals in a tree change with it, at the rate of the label.
+std::int64_t WeightedMatching::dual(std::int32_t blossom) const {
+    const Blossom &b = blossoms_[at(blossom)];
+    const Label label = is_node(blossom) ? blossoms_[at(top_[at(blossom)])].label : b.label;
+    const std::int64_t change = label == Label::none    ? 0
+                                : label == Label::outer ? now_ - b.since
+                                                        : b.since - now_;
+    return is_node(blossom) ? b.dual - change : b.dual + 2 * change;
+}
+
+// Before the label of an outermost blossom changes, or another comes around it.
+void WeightedMatching::settle(std::int32_t blossom) {
+    const auto settle_one = [&](std::int32_t b) {
+        blossoms_[at(b)].dual = dual(b);
+        blossoms_[at(b)].since = now_;
+    };
+    const auto settle_nodes = [&](std::int32_t b, const auto &self) -> void {
+        if (is_node(b))
+            return settle_one(b);
+        for (const std::int32_t part : blossoms_[at(b)].parts)
+            self(part, self);
+    };
+    settle_nodes(blossom, settle_nodes);
+    if (!is_node(blossom))
+        settle_one(blossom);
 }
 
 void WeightedMatching::label(std::int32_t blossom, Label label) {
+    settle(blossom);
     blossoms_[at(blossom)].label = label;
     add_to_tree(blossom);
+    announce(blossom);
 }
 
 void WeightedMatching::add_to_tree(std::int32_t blossom) {
@@ -123,8 +180,12 @@ void WeightedMatching::add_to_tree(std::int32_t blossom) {
 
 void WeightedMatching::forget() {
     for (const std::int32_t node : tree_) {
-        blossoms_[at(top_[at(node)])].label = Label::none;
+        const std::int32_t b = top_[at(node)];
         in_tree_[at(node)] = false;
+        if (blossoms_[at(b)].label == Label::none)
+            continue;
+        settle(b);
+        blossoms_[at(b)].label = Label::none;
     }
     tree_.clear();
 }
@@ -162,15 +223,22 @@ void WeightedMatching::shrink(std::int32_t edge, const std::vector<std::int32_t>
         blossom.parts.push_back(second[i]);
         blossom.links.push_back(link_up(second[i]));
     }
-    for (const std::int32_t part : blossom.parts)
+    blossom.since = now_;
+    for (const std::int32_t part : blossom.parts) {
+        settle(part);
         blossoms_[at(part)].parent = index;
+    }
     *found = std::move(blossom);
     set_top(index, index);
+    for (const std::int32_t part : found->parts)
+        if (blossoms_[at(part)].label == Label::inner)
+            announce(part);
 }
 
 // Of an inner blossom: its parts on the path of even length from where the tree enters to the base stay in
 // the tree.
 void WeightedMatching::expand(std::int32_t blossom) {
+    settle(blossom);
     Blossom old = std::move(blossoms_[at(blossom)]);
     const std::int32_t enter = old.enter;
     const std::int32_t first = part_with(blossom, end_in(enter, blossom));
@@ -178,6 +246,7 @@ void WeightedMatching::expand(std::int32_t blossom) {
     for (const std::int32_t part : old.parts) {
         blossoms_[at(part)].parent = -1;
         blossoms_[at(part)].label = Label::none;
+        blossoms_[at(part)].since = now_;
         set_top(part, part);
     }
     const std::size_t n = old.parts.size();
@@ -190,12 +259,14 @@ void WeightedMatching::expand(std::int32_t blossom) {
         inner.label = Label::inner;
         inner.enter = edge;
         if (i == 0)
-            return;
+            break;
         const std::size_t next = forward ? i + 1 : i - 1;
         blossoms_[at(old.parts[next])].label = Label::outer;
         edge = old.links[forward ? next : next - 1];
         i = forward ? (next + 1) % n : next - 1;
     }
+    for (const std::int32_t part : old.parts)
+        announce(part);
 }
 
 // The edge leads from the tree to a free node.
@@ -305,7 +376,7 @@ void WeightedMatching::set_top(std::int32_t blossom, std::int32_t top) {
 
 std::int64_t WeightedMatching::slack(std::int32_t edge) const {
     const auto [v, w] = edges_[at(edge)].ends;
-    return blossoms_[at(v)].dual + blossoms_[at(w)].dual - 2 * edges_[at(edge)].weight;
+    return dual(v) + dual(w) - 2 * edges_[at(edge)].weight;
 }
 
 } // namespace alphamst::quadrangulate

@@ -63,6 +63,10 @@ static void contexts_and_options(void **state) {
     null("options", amst_options_set_real(NULL, AMST_OPT_MIN_QUALITY, 0));
     null("options", amst_options_get_int(NULL, AMST_OPT_SEED, &integer));
     null("options", amst_options_get_real(NULL, AMST_OPT_MIN_QUALITY, &real));
+    null("options", amst_options_set_edges(NULL, NULL, 0));
+    null("options", amst_options_get_edges(NULL, NULL, 0, &integer));
+    null("vertices", amst_options_set_edges(options, NULL, 1));
+    null("needed", amst_options_get_edges(options, NULL, 0, NULL));
     null("value", amst_options_get_int(options, AMST_OPT_SEED, NULL));
     null("value", amst_options_get_real(options, AMST_OPT_MIN_QUALITY, NULL));
 }
@@ -154,6 +158,8 @@ static void arrays(void **state) {
     null_array(mesh, amst_mesh_get_faces, amst_id);
     null_array(mesh, amst_mesh_get_edges, amst_id);
     null_array(mesh, amst_mesh_get_edge_faces, amst_id);
+    null_array(mesh, amst_mesh_get_crossed_edges, amst_id);
+    null_array(mesh, amst_mesh_get_split_edges, amst_id);
     null_array(mesh, amst_mesh_get_valences, int32_t);
     null_array(mesh, amst_mesh_get_singularities, amst_id);
     null_array(mesh, mesh_flags, int32_t);

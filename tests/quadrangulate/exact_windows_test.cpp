@@ -74,6 +74,19 @@ TEST(ExactWindows, WhatIsGoodStays) {
     EXPECT_EQ(matching.mate(0), 9);
 }
 
+TEST(ExactWindows, NotAgainAroundWhatHasNotChanged) {
+    constexpr int n = 40;
+    TriangleDual dual = cycle(n);
+    set(dual, 0, 1, 1);
+    Matching matching(dual);
+    take_every_second(matching, n, 0);
+    match_windows(dual, matching, std::vector<std::int8_t>(n, 0));
+    EXPECT_EQ(matching.mate(0), n - 1); // node 1 had side 0, and has 1
+    take_every_second(matching, n, 0);
+    match_windows(dual, matching, matching.sides());
+    EXPECT_EQ(matching.mate(0), 1);
+}
+
 // As many lead outside as before, but where it is cheapest.
 TEST(ExactWindows, OneLeadsOutside) {
     constexpr int n = 9;

@@ -11,7 +11,8 @@ module alphamst_mesh
         amst_mesh_create_i64, &
         amst_mesh_destroy, amst_mesh_detect_features, amst_mesh_find_edges, amst_mesh_forget, &
         amst_mesh_get_alignment, amst_mesh_get_checksum, amst_mesh_get_chord, amst_mesh_get_chord_ids, amst_mesh_get_chords, &
-        amst_mesh_get_count, amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
+        amst_mesh_get_count, amst_mesh_get_crossed_edges, amst_mesh_get_split_edges, &
+        amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
         amst_mesh_get_faces, amst_mesh_get_field, amst_mesh_get_flags, amst_mesh_get_points, amst_mesh_get_quality, &
         amst_mesh_get_revision, amst_mesh_get_singularities, amst_mesh_get_summary, &
         amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_remove_field, &
@@ -77,6 +78,10 @@ module alphamst_mesh
         procedure :: faces, get_faces
         !> edges(2, n_edges): vertices, smaller id first; get_edges(values [, n])
         procedure :: edges, get_edges
+        !> What pairs of triangles did when the mesh was created or read, ids as they were then:
+        !> crossed_edges(2, n): vertices of sharp edges that are within quads;
+        !> split_edges(3, n): two vertices and the new one at the midpoint between them
+        procedure :: crossed_edges, split_edges
         !> edge_faces(2, n_edges): left and right of each edge, 0 beyond the boundary;
         !> get_edge_faces(values [, n])
         procedure :: edge_faces, get_edge_faces
@@ -461,6 +466,24 @@ contains
 
         call fetch_rows(amst_mesh_get_edges, self%c_handle(), 2_int32, values, stat, errmsg)
     end function edges
+
+    function crossed_edges(self, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:, :)
+
+        call fetch_rows(amst_mesh_get_crossed_edges, self%c_handle(), 2_int32, values, stat, errmsg)
+    end function crossed_edges
+
+    function split_edges(self, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:, :)
+
+        call fetch_rows(amst_mesh_get_split_edges, self%c_handle(), 3_int32, values, stat, errmsg)
+    end function split_edges
 
     subroutine get_edges(self, values, n, stat, errmsg)
         class(amst_mesh), intent(in) :: self

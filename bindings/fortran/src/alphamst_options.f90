@@ -9,7 +9,9 @@ module alphamst_options
         AMST_OPT_NODE_LIMIT, AMST_OPT_PATCH_FACES, AMST_OPT_QUADRANGULATE, AMST_OPT_REPAIR_PATCHES, &
         AMST_OPT_SEED, AMST_OPT_SIZE_WEIGHT, AMST_OPT_SMOOTH_STEPS, AMST_OPT_STRATEGY, &
         AMST_OPT_TOLERANCE, AMST_OPT_TRANSITION, amst_options_create, amst_options_destroy, &
-        amst_options_get_int, amst_options_get_real, amst_options_set_int, amst_options_set_real
+        amst_options_get_edges, amst_options_get_int, amst_options_get_real, amst_options_set_edges, &
+        amst_options_set_int, amst_options_set_real
+    use alphamst_arrays, only: check_rows, fetch_rows
     use alphamst_handle, only: amst_handle, handle_to_copy
     use alphamst_library, only: settle
     implicit none
@@ -37,6 +39,12 @@ module alphamst_options
         procedure :: get_int
         !> get_real(key [, stat, errmsg]). Errors: NOT_FOUND.
         procedure :: get_real
+        !> set_edges(vertices(2, n) [, stat, errmsg]): edges of a new mesh that no pair of triangles
+        !> crosses, instead of those set before. Errors: ARGUMENT (extents). A mesh is not made, with
+        !> NOT_FOUND, if one of them is no side of its faces.
+        procedure :: set_edges
+        !> edges(2, n), as they were set
+        procedure :: edges
         procedure :: destroy
         procedure, private :: set_int32, set_int64, set_real, assign
         generic :: assignment(=) => assign
@@ -109,6 +117,25 @@ contains
         call settle(amst_options_get_real(self%c_handle(), key, value), stat, errmsg)
     end function get_real
 
+    subroutine set_edges(self, vertices, stat, errmsg)
+        class(amst_options), intent(inout) :: self
+        integer(int32), intent(in), contiguous :: vertices(:, :)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        if (check_rows(size(vertices, 1, int32), 2_int32, stat, errmsg)) call settle( &
+            amst_options_set_edges(self%c_handle(), vertices, size(vertices, 2, int64)), stat, errmsg)
+    end subroutine set_edges
+
+    function edges(self, stat, errmsg) result(values)
+        class(amst_options), intent(in) :: self
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:, :)
+
+        call fetch_rows(amst_options_get_edges, self%c_handle(), 2_int32, values, stat, errmsg)
+    end function edges
+
     subroutine destroy(self)
         class(amst_options), intent(inout) :: self
 
@@ -127,6 +154,7 @@ contains
         type(c_ptr) :: from, to
         integer(int64) :: int_value
         real(real64) :: real_value
+        integer(int32), allocatable :: edges(:, :)
         integer :: k
 
         from = handle_to_copy(other)
@@ -141,6 +169,8 @@ contains
                 call settle(amst_options_get_real(from, real_keys(k), real_value))
                 call settle(amst_options_set_real(to, real_keys(k), real_value))
             end do
+            call fetch_rows(amst_options_get_edges, from, 2_int32, edges)
+            call settle(amst_options_set_edges(to, edges, size(edges, 2, int64)))
         end if
         call self%adopt(to)
     end subroutine assign

@@ -138,5 +138,22 @@ module amst_c_context
             integer(c_int32_t), value :: key
             real(c_double), intent(inout) :: value
         end function amst_options_get_real
+
+        integer(c_int32_t) function amst_options_set_edges(options, vertices, n_edges) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: options
+            integer(c_int32_t), intent(in) :: vertices(*)
+            integer(c_int64_t), value :: n_edges
+        end function amst_options_set_edges
+
+        integer(c_int32_t) function amst_options_get_edges(options, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: options
+            integer(c_int32_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_options_get_edges
     end interface
 end module amst_c_context

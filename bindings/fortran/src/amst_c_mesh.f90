@@ -125,6 +125,24 @@ module amst_c_mesh
             integer(c_int64_t), intent(inout) :: needed
         end function amst_mesh_get_edges
 
+        integer(c_int32_t) function amst_mesh_get_crossed_edges(mesh, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_crossed_edges
+
+        integer(c_int32_t) function amst_mesh_get_split_edges(mesh, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_split_edges
+
         integer(c_int32_t) function amst_mesh_get_edge_faces(mesh, out, capacity, needed) bind(c)
             import :: c_int32_t, c_int64_t, c_ptr
             implicit none

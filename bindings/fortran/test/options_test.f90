@@ -7,6 +7,7 @@ program options_test
     call defaults_and_changes()
     call errors()
     call assignment_copies_every_key()
+    call edges_are_not_crossed()
     call finish()
 
 contains
@@ -39,6 +40,40 @@ contains
         call options%set(AMST_OPT_PATCH_FACES, 12.5_real64)
         call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 12.5_real64) <= 0, 'a real value')
     end subroutine defaults_and_changes
+
+    subroutine edges_are_not_crossed()
+        type(amst_context) :: context
+        type(amst_options) :: options, copy
+        type(amst_mesh) :: mesh
+        real(real64), parameter :: points(2, 4) = reshape( &
+            [0.0_real64, 0.0_real64, 1.0_real64, 0.0_real64, 1.0_real64, 1.0_real64, 0.0_real64, 1.0_real64], [2, 4])
+        integer(int32), parameter :: triangles(3, 2) = reshape([1, 2, 3, 3, 4, 1], [3, 2])
+        integer(int32), parameter :: diagonal(2, 1) = reshape([3, 1], [2, 1])
+        integer(int32) :: stat
+        character(len=200) :: errmsg
+
+        call context%create()
+        call options%create()
+        call claim(size(options%edges()) == 0, 'no edges at first')
+        call mesh%create(context, points, triangles, options)
+        call claim(mesh%count(AMST_FACE) == 1, 'one quad')
+        call options%set_edges(diagonal)
+        copy = options
+        call claim(all(copy%edges() == diagonal), 'edges are copied')
+        call mesh%create(context, points, triangles, copy)
+        call claim(mesh%count(AMST_FACE) > 1, 'the diagonal is not crossed')
+        call claim(size(mesh%crossed_edges()) == 0, 'nothing is crossed')
+        call copy%set_edges(diagonal(:, 1:0))
+        call copy%set(AMST_OPT_QUADRANGULATE, 1)
+        call mesh%create(context, points, triangles, copy)
+        call claim(all(shape(mesh%split_edges()) == [3, 5]), 'all edges are split')
+        call claim(minval(mesh%split_edges()) == 1, 'split edges count from 1')
+        call options%set_edges(diagonal + 1)
+        call mesh%create(context, points, triangles, options, stat, errmsg)
+        call refused(stat, AMST_ERR_NOT_FOUND, errmsg, 'no such edge')
+        call options%set_edges(triangles, stat, errmsg)
+        call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'three vertices')
+    end subroutine edges_are_not_crossed
 
     subroutine errors()
         type(amst_options) :: options

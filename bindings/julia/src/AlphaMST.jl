@@ -51,9 +51,9 @@ include("chord.jl")
 export AlphaMSTError, Context, Mesh, Options, Patches, Report
 export library_version, library_has, status_name
 export progress, set_cancel!, set_log!, set_progress!, set_threads!
-export check, checksum, detect_features!, dim, edge_faces, edge_faces!, edges, edges!, faces, faces!, find_edges, flags,
+export check, checksum, crossed_edges, detect_features!, dim, edge_faces, edge_faces!, edges, edges!, faces, faces!, find_edges, flags,
     flags!, nedges, nfaces, nvertices, points, points!, revision, set_flags!, set_points!,
-    singularities, valences, valences!
+    singularities, split_edges, valences, valences!
 export field, field!, remove_field!, set_field!
 export alignment, compute_cross_field!
 export set_projection!

@@ -261,6 +261,8 @@ end
     amst_options_set_real(options, key, value) = @ccall amst_options_set_real(options::Ptr{amst_options}, key::Int32, value::Float64)::Int32
     amst_options_get_int(options, key, value) = @ccall amst_options_get_int(options::Ptr{amst_options}, key::Int32, value::Ptr{Int64})::Int32
     amst_options_get_real(options, key, value) = @ccall amst_options_get_real(options::Ptr{amst_options}, key::Int32, value::Ptr{Float64})::Int32
+    amst_options_set_edges(options, vertices, n_edges) = @ccall amst_options_set_edges(options::Ptr{amst_options}, vertices::Ptr{Int32}, n_edges::Int64)::Int32
+    amst_options_get_edges(options, out, capacity, needed) = @ccall amst_options_get_edges(options::Ptr{amst_options}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_create(ctx, dim, coords, n_vertices, vertex_stride, component_stride, faces, n_faces, face_stride, corner_stride, corners_per_face, options, out) = @ccall amst_mesh_create(ctx::Ptr{amst_context}, dim::Int32, coords::Ptr{Float64}, n_vertices::Int64, vertex_stride::Int64, component_stride::Int64, faces::Ptr{Int32}, n_faces::Int64, face_stride::Int64, corner_stride::Int64, corners_per_face::Int32, options::Ptr{amst_options}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_create_i64(ctx, dim, coords, n_vertices, vertex_stride, component_stride, faces, n_faces, face_stride, corner_stride, corners_per_face, options, out) = @ccall amst_mesh_create_i64(ctx::Ptr{amst_context}, dim::Int32, coords::Ptr{Float64}, n_vertices::Int64, vertex_stride::Int64, component_stride::Int64, faces::Ptr{Int64}, n_faces::Int64, face_stride::Int64, corner_stride::Int64, corners_per_face::Int32, options::Ptr{amst_options}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_read(ctx, path, options, out) = @ccall amst_mesh_read(ctx::Ptr{amst_context}, path::Cstring, options::Ptr{amst_options}, out::Ptr{Ptr{amst_mesh}})::Int32
@@ -274,6 +276,8 @@ end
     amst_mesh_set_points(mesh, points, n) = @ccall amst_mesh_set_points(mesh::Ptr{amst_mesh}, points::Ptr{Float64}, n::Int64)::Int32
     amst_mesh_get_faces(mesh, out, capacity, needed) = @ccall amst_mesh_get_faces(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_get_edges(mesh, out, capacity, needed) = @ccall amst_mesh_get_edges(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_crossed_edges(mesh, out, capacity, needed) = @ccall amst_mesh_get_crossed_edges(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_split_edges(mesh, out, capacity, needed) = @ccall amst_mesh_get_split_edges(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_get_edge_faces(mesh, out, capacity, needed) = @ccall amst_mesh_get_edge_faces(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_find_edges(mesh, pairs, n, edges) = @ccall amst_mesh_find_edges(mesh::Ptr{amst_mesh}, pairs::Ptr{Int32}, n::Int64, edges::Ptr{Int32})::Int32
     amst_mesh_get_valences(mesh, out, capacity, needed) = @ccall amst_mesh_get_valences(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32

@@ -200,6 +200,26 @@ edges!(array::AbstractMatrix, mesh::Mesh) =
     end
 
 """
+    crossed_edges(mesh)
+
+The vertices of sharp edges that pairs of triangles have been made over, as a `Matrix{Int32}` (2, n). Ids
+here and in [`split_edges`](@ref) are those when the mesh was created or read, whatever became of it.
+"""
+crossed_edges(mesh::Mesh) = reshape(vector_of(Int32) do out, capacity, needed
+    amst_mesh_get_crossed_edges(mesh, out, capacity, needed)
+end, 2, :)
+
+"""
+    split_edges(mesh)
+
+Two vertices and the new one at the midpoint of the edge between them, which may be half of another edge, as a
+`Matrix{Int32}` (3, n).
+"""
+split_edges(mesh::Mesh) = reshape(vector_of(Int32) do out, capacity, needed
+    amst_mesh_get_split_edges(mesh, out, capacity, needed)
+end, 3, :)
+
+"""
     edge_faces(mesh)
 
 The faces left and right of every edge, 0 beyond the boundary, as a `Matrix{Int32}` (2, nedges).

@@ -42,6 +42,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `transition` | 0.5 | of a patch's depth, over which sizes change, 0.05 to 1 |
 | `least_size` | 0.125 | area over wanted area; no smaller face is made, 0 to 1 |
 | `sharp_angle` | 40.0 | triangles of a new mesh are not paired over sharper edges, 0 to 180 degrees |
+| `edges` | none | `Matrix(2, n)` of vertices: edges of a new mesh that no pair of triangles crosses |
 
 With `edit_boundary = 1` vertices come and go on the boundary of a plane mesh where edges would be far
 from the wanted length, and where that saves singular vertices. Flagged ones, corners and ends of markers
@@ -49,7 +50,8 @@ stay; new ones lie on the boundary as it was, or see [`set_projection!`](@ref). 
 `strategy = 1` it lets chords take vertices from features and boundary where these turn by less than 30
 degrees.
 
-`options[:seed]` reads and `options[:seed] = 7` sets one. Throws `AlphaMSTError` for a value out
+`options[:seed]` reads and `options[:seed] = 7` sets one. A mesh is not made if one of the `edges` is no
+side of its faces (`AMST_ERR_NOT_FOUND`). Throws `AlphaMSTError` for a value out
 of range or not finite, and for a number in place of a name that the library does not know.
 """
 mutable struct Options <: Handle{amst_options}
@@ -65,6 +67,9 @@ mutable struct Options <: Handle{amst_options}
 end
 
 function Base.getindex(options::Options, name::Union{Symbol,Integer})
+    name === :edges && return reshape(vector_of(Int32) do out, capacity, needed
+        amst_options_get_edges(options, out, capacity, needed)
+    end, 2, :)
     key = number_of(option_keys, name)
     is_real(key) && return scalar(out -> amst_options_get_real(options, key, out), Float64)
     return scalar(out -> amst_options_get_int(options, key, out), Int64)
@@ -74,6 +79,13 @@ function Base.setindex!(options::Options, value::Real, name::Union{Symbol,Intege
     key = number_of(option_keys, name)
     demand(is_real(key) ? amst_options_set_real(options, key, value) :
            amst_options_set_int(options, key, value))
+    return options
+end
+
+function Base.setindex!(options::Options, edges::AbstractMatrix{<:Integer}, name::Symbol)
+    name === :edges || throw(ArgumentError("$name is a number"))
+    size(edges, 1) == 2 || throw(DimensionMismatch("an edge has 2 vertices"))
+    demand(amst_options_set_edges(options, Matrix{Int32}(edges), size(edges, 2)))
     return options
 end
 

@@ -59,3 +59,21 @@ end
     @test refusal(() -> options[1099]) == "AMST_ERR_NOT_FOUND"
     @test_throws ArgumentError clean!(grid(2); options = options, seed = 7)
 end
+
+@testset "edges that no pair crosses" begin
+    points, triangles = [0.0 1 1 0; 0 0 1 1], Int32[1 3; 2 4; 3 1]
+    make(options) = Mesh(points, triangles; options = options)
+    options = Options(edges = [3 0; 1 0][:, 1:1])
+    @test options[:edges] == reshape([3, 1], 2, 1)
+    @test length(faces(make(options))) > 4
+    options[:edges] = zeros(Int, 2, 0)
+    @test size(options[:edges]) == (2, 0)
+    @test size(faces(make(options))) == (4, 1)
+    @test size(crossed_edges(make(options))) == (2, 0)
+    @test size(split_edges(make(options))) == (3, 0)
+    @test sort(split_edges(make(Options(quadrangulate = 1)))[3, :]) == 5:9
+    options[:edges] = reshape([4, 2], 2, 1)
+    @test refusal(() -> make(options)) == "AMST_ERR_NOT_FOUND"
+    @test_throws DimensionMismatch (options[:edges] = [1 2 3])
+    @test_throws ArgumentError (options[:seed] = [1 2; 3 4])
+end

@@ -382,6 +382,21 @@ extern "C" {
     pub fn amst_options_get_real(options: *const amst_options, key: i32, value: *mut f64) -> amst_status;
 }
 extern "C" {
+    pub fn amst_options_set_edges(
+        options: *mut amst_options,
+        vertices: *const amst_id,
+        n_edges: i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_options_get_edges(
+        options: *const amst_options,
+        out: *mut amst_id,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
     pub fn amst_mesh_create(
         ctx: *mut amst_context,
         dim: i32,
@@ -482,6 +497,22 @@ extern "C" {
         pairs: *const amst_id,
         n: i64,
         edges: *mut amst_id,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_crossed_edges(
+        mesh: *const amst_mesh,
+        out: *mut amst_id,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_split_edges(
+        mesh: *const amst_mesh,
+        out: *mut amst_id,
+        capacity: i64,
+        needed: *mut i64,
     ) -> amst_status;
 }
 extern "C" {

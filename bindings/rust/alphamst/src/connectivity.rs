@@ -59,6 +59,38 @@ impl Mesh {
         }))
     }
 
+    /// The vertices of sharp edges that pairs of triangles have been made over, ids being those when the mesh
+    /// was created or read.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert!(mesh.crossed_edges().is_empty());
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn crossed_edges(&self) -> Vec<[VertexId; 2]> {
+        must(self.ask(|mesh| unsafe {
+            array::rows(|out: *mut i32, capacity, needed| {
+                sys::amst_mesh_get_crossed_edges(mesh, out, capacity, needed)
+            })
+        }))
+    }
+
+    /// Two vertices and the new one at the midpoint of the edge between them, which may be half of another
+    /// edge, likewise.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// assert!(mesh.split_edges().is_empty());
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn split_edges(&self) -> Vec<[VertexId; 3]> {
+        must(self.ask(|mesh| unsafe {
+            array::rows(|out: *mut i32, capacity, needed| {
+                sys::amst_mesh_get_split_edges(mesh, out, capacity, needed)
+            })
+        }))
+    }
+
     /// The faces left and right of every edge, seen from its first vertex to its second; `None` beyond
     /// the boundary.
     ///

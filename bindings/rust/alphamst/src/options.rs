@@ -5,7 +5,7 @@ use alphamst_sys as sys;
 
 use crate::enumeration::enumeration;
 use crate::error::{check, create, must, value};
-use crate::Result;
+use crate::{array, Result, VertexId};
 
 enumeration! {
     /// A setting of [`Options`], with its default.
@@ -227,6 +227,34 @@ impl Options {
     /// ```
     pub fn chart(self, map: i64) -> Result<Self> {
         self.with_int(OptionKey::Chart, map)
+    }
+
+    /// Edges of a new mesh, by their vertices, that no pair of triangles crosses, instead of those set before.
+    /// A mesh is not made, with `NotFound`, if one of them is no side of its faces.
+    ///
+    /// ```
+    /// # use alphamst::{Options, VertexId};
+    /// let diagonal = [VertexId::new(0), VertexId::new(2)];
+    /// assert_eq!(Options::new().edges(&[diagonal]).get_edges(), [diagonal]);
+    /// ```
+    #[must_use]
+    pub fn edges(self, edges: &[[VertexId; 2]]) -> Self {
+        // SAFETY: a VertexId is an id of the library, and the slice has two of them for each edge.
+        must(check(unsafe {
+            sys::amst_options_set_edges(self.0.as_ptr(), edges.as_ptr().cast(), edges.len() as i64)
+        }));
+        self
+    }
+
+    /// The edges that were set.
+    #[must_use]
+    pub fn get_edges(&self) -> Vec<[VertexId; 2]> {
+        // SAFETY: rows of two ids, of which the library says how many there are.
+        must(unsafe {
+            array::rows(|out: *mut i32, capacity, needed| {
+                sys::amst_options_get_edges(self.0.as_ptr(), out, capacity, needed)
+            })
+        })
     }
 
     /// Sets [`OptionKey::MinQuality`].

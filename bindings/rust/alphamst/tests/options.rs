@@ -6,7 +6,8 @@ fn defaults_are_those_of_the_header() {
     let options = Options::default();
     let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map(|key| options.get_int(key).unwrap());
     assert_eq!(integers, [0, 20, 1, 16, 1000, 0, 0, 0, 0, 0, 0]);
-    let reals = [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008].map(|key| options.get_real(key).unwrap());
+    let reals =
+        [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008].map(|key| options.get_real(key).unwrap());
     assert_eq!(reals, [0.0, 0.6, 100.0, 0.5, 1.0, 0.7, 0.5, 0.125, 40.0]);
 }
 
@@ -50,7 +51,8 @@ fn every_setter_sets_its_own_key() {
         .unwrap();
     let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map(|key| options.get_int(key).unwrap());
     assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000, 1, 1, 1, 1, 2, 1]);
-    let reals = [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008].map(|key| options.get_real(key).unwrap());
+    let reals =
+        [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008].map(|key| options.get_real(key).unwrap());
     assert_eq!(reals, [0.25, 0.75, 12.5, 0.125, 4.0, 0.3, 0.875, 0.0625, 25.0]);
     assert!(format!("{options:?}").contains("SmoothSteps"));
 }
@@ -81,4 +83,26 @@ fn refusals_leave_the_value() {
     assert_eq!(options.get_real(1999).unwrap_err().status, Status::NotFound);
     assert_eq!(options.get_int(OptionKey::SmoothSteps), Ok(20));
     assert_eq!(options.get_real(OptionKey::MinQuality), Ok(0.0));
+}
+
+#[test]
+fn edges_are_not_crossed() {
+    let edge = |v, w| [VertexId::new(v), VertexId::new(w)];
+    let make = |options: &Options| {
+        let points = Strided::packed(&[0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0], 2)?;
+        let faces = Strided::packed(&[0, 1, 2, 2, 3, 0], 3)?;
+        Mesh::from_strided(&Context::new(), points, faces, options)
+    };
+    let options = Options::new();
+    assert!(options.get_edges().is_empty());
+    assert_eq!(make(&options).unwrap().faces().len(), 1);
+    assert!(make(&options).unwrap().crossed_edges().is_empty());
+    let split = make(&Options::new().quadrangulate(1).unwrap()).unwrap().split_edges();
+    assert!(split.len() == 5 && split.iter().any(|[v, w, _]| [*v, *w] == edge(0, 2)));
+    let options = options.edges(&[edge(1, 3)]).edges(&[edge(2, 0)]);
+    assert_eq!(options.get_edges(), [edge(2, 0)]);
+    assert!(make(&options).unwrap().faces().len() > 1);
+    let options = options.edges(&[edge(1, 3)]);
+    assert_eq!(make(&options).unwrap_err().status, Status::NotFound);
+    assert_eq!(make(&options.edges(&[])).unwrap().faces().len(), 1);
 }
