@@ -93,6 +93,15 @@ void fill(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity, 
     outcome.candidate = best.number;
 }
 
+// In singular vertices, of edges of the boundary that are twice as long as is wanted: who lets the boundary
+// change wants that, unless it spoils the patch.
+constexpr double price_of_boundary = 10;
+
+struct RespacedProposal {
+    Proposal proposal;
+    double boundary_error; // before
+};
+
 // As choices of fillings weigh it.
 double score(const Outcome &outcome) {
     const SizeError sizes{outcome.size_error_after, std::log2(outcome.least_area_after),
@@ -102,8 +111,9 @@ double score(const Outcome &outcome) {
 
 // With the vertices on the boundary of the mesh that are wanted, or that are nearest to it; nothing if there
 // is no such filling. before: what is known of the patch.
-std::optional<Proposal> fill_respaced(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity,
-                                      const Goal &goal, const Settings &settings, const Proposal &before) {
+std::optional<RespacedProposal> fill_respaced(const mesh::QuadMesh &mesh, const Patch &patch,
+                                              const Cavity &cavity, const Goal &goal,
+                                              const Settings &settings, const Proposal &before) {
     const auto &boundary = cavity.reference().boundary;
     if (!boundary || cavity.curved())
         return std::nullopt;
@@ -127,7 +137,7 @@ std::optional<Proposal> fill_respaced(const mesh::QuadMesh &mesh, const Patch &p
             Proposal proposal = before;
             fill(mesh, patch, respaced, goal, settings, proposal);
             if (!proposal.unchanged)
-                return proposal;
+                return RespacedProposal{std::move(proposal), respacing.present_error()};
         } catch (const Refusal &) {
         }
     }
@@ -148,16 +158,18 @@ Proposal propose_exactly(const mesh::QuadMesh &mesh, const Patch &patch, const G
     try {
         cavity.emplace(mesh, patch, goal, settings, reference);
         tell_present(mesh, patch, *cavity, outcome);
-        std::optional<Proposal> respaced = fill_respaced(mesh, patch, *cavity, goal, settings, proposal);
+        std::optional<RespacedProposal> respaced =
+            fill_respaced(mesh, patch, *cavity, goal, settings, proposal);
         try {
             fill(mesh, patch, *cavity, goal, settings, proposal);
         } catch (const Refusal &) {
             if (!respaced)
                 throw;
         }
-        if (respaced &&
-            (proposal.replacement.filling.quads.empty() || score(respaced->outcome) <= score(outcome)))
-            proposal = std::move(*respaced);
+        if (respaced && (proposal.replacement.filling.quads.empty() ||
+                         score(respaced->proposal.outcome) <=
+                             score(outcome) + price_of_boundary * respaced->boundary_error))
+            proposal = std::move(respaced->proposal);
     } catch (const Refusal &refusal) {
         outcome.fault = refusal.fault;
         outcome.text = refusal.text;

@@ -110,6 +110,16 @@ void Respacing::measure(Run &run) const {
     run.fine = run.error <= small_error * run.edges && run.worst <= tolerable_error;
 }
 
+double Respacing::present_error() const {
+    double sum = 0;
+    int edges = 0;
+    for (const Run &run : runs_) {
+        sum += run.error;
+        edges += run.edges;
+    }
+    return edges == 0 ? 0 : std::sqrt(sum / edges);
+}
+
 double Respacing::error(const Run &run, int edges) const { return edges * squared_log(run.wanted / edges); }
 
 double Respacing::error(const Counts &counts) const {

@@ -18,6 +18,8 @@ public:
 
     using Counts = std::vector<int>; // [run] edges
 
+    double present_error() const; // rms of log2(length / wanted length) of the edges that are there
+
     bool empty() const { return runs_.empty(); }
     // Those that are there with one edge or two more or less in one run or in two, the loop having an even
     // number; the best first by what is wanted, and only such as are not far from that, or nearer to it than

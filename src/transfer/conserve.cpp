@@ -68,7 +68,7 @@ Regions::Regions(const mesh::QuadMesh &before, const mesh::QuadMesh &after, cons
             part.region = found ? 1 + static_cast<std::size_t>(place - both.begin()) : 0;
         }
     count_ = 1 + both.size();
-    curved_ = after.surface != nullptr;
+    may_gain_ = after.boundary != nullptr && after.surface == nullptr;
 }
 
 void Regions::conserve(std::span<const double> old_values, std::span<double> values, int components) const {
@@ -87,7 +87,7 @@ void Regions::conserve(std::span<const double> old_values, std::span<double> val
         const std::vector<Sum> wanted = sums(before_, old_values), found = sums(after_, values);
         for (const auto &[face, region, area] : after_) {
             const double ratio = found[region].area / wanted[region].area;
-            const bool changed = !curved_ && std::abs(ratio - 1) > rounding_of_area && std::isfinite(ratio);
+            const bool changed = may_gain_ && std::abs(ratio - 1) > rounding_of_area && std::isfinite(ratio);
             const double missing = wanted[region].value * (changed ? ratio : 1) - found[region].value;
             if (std::abs(missing) <= rounding * wanted[region].size)
                 continue;

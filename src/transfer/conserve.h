@@ -32,7 +32,7 @@ private:
     };
     std::vector<Part> before_, after_;
     std::size_t count_ = 0;
-    bool curved_ = false; // areas change there with the faces
+    bool may_gain_ = false; // the boundary of a plane mesh may have changed
 };
 
 } // namespace alphamst::transfer
