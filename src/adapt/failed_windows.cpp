@@ -10,8 +10,8 @@ void add(const refill::Goal &goal, Digest &digest) {
     for (const std::int64_t number : {goal.faces, goal.fewest, goal.most})
         digest.add(static_cast<std::uint64_t>(number));
     std::int32_t flags = 0;
-    for (const bool flag :
-         {goal.any_count, goal.keep_quality, goal.sizes, goal.forbid_old, goal.turn, goal.collapse})
+    for (const bool flag : {goal.respace, goal.any_count, goal.keep_quality, goal.sizes, goal.forbid_old,
+                            goal.turn, goal.collapse})
         flags = 2 * flags + static_cast<int>(flag);
     digest.add(flags, goal.most_added);
 }

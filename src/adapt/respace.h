@@ -1,8 +1,8 @@
 // Vertices of the boundary come and go where its edges are not as long as is wanted.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 
 #include "adapt/sweep.h"
 
@@ -10,12 +10,12 @@ namespace alphamst::adapt {
 
 struct RespacingPass {
     int size;     // of its windows
+    double slack; // see Pass
     double shape; // part of the shape that windows keep
 };
 
-// Steep changes of sizes have to go on in several steps, and close corners that open later.
-constexpr std::array<RespacingPass, 7> respacings = {
-    {{16, 1}, {30, 1}, {60, 1}, {30, 0.6}, {60, 0.6}, {30, 0.4}, {60, 0.4}}};
+// Changes that a caller asks for may be steep.
+std::span<const RespacingPass> respacings(bool wished);
 
 Pass pass_of(const RespacingPass &respacing, const refill::ShapeBounds &shape);
 

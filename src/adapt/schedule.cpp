@@ -135,7 +135,7 @@ private:
         if (!settings_.edit_boundary || !sizing_ || reference_.surface)
             return;
         want_boundary(mesh_, reference_, *sizing_, sweep_.wanted());
-        for (const RespacingPass &pass : respacings)
+        for (const RespacingPass &pass : respacings(sizing_->wished()))
             if (run(pass_of(pass, wish(pass.shape)), "respace", 0, 0) > 0)
                 smooth::relax_by_sizes(mesh_, reference_, sizing_, settings_);
     }
