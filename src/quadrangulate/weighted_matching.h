@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace alphamst::quadrangulate {
@@ -44,7 +44,10 @@ private:
     struct Event {
         std::int64_t when = 0;
         std::int32_t edge = -1, blossom = -1; // one of them, or none
-        auto operator<=>(const Event &) const = default;
+        // By time; edge and blossom only make the order one.
+        bool operator>(const Event &other) const {
+            return std::tie(when, edge, blossom) > std::tie(other.when, other.edge, other.blossom);
+        }
     };
 
     void search(std::int32_t root);
