@@ -26,10 +26,11 @@ TEST(Respace, LengthsFollowTheFacesOrTheField) {
         ASSERT_TRUE(reference.boundary);
         const double left = reference.edge_length(reference.boundary->places[2]),
                      right = reference.edge_length(reference.boundary->places[8]);
-        if (wished)
+        if (wished) {
             EXPECT_NEAR(right / left, 2, 1e-9);
-        else
+        } else {
             EXPECT_NEAR(left, 0.5, 1e-9);
+        }
     }
 }
 

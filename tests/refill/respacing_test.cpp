@@ -50,8 +50,9 @@ TEST_F(AtTheLowerSide, HalfTheLengthTakesSixEdges) {
     EXPECT_EQ(changed->parents.size(), changed->loop.size());
     const std::vector<Eigen::Vector3d> points = loop_points(mesh, *changed);
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (changed->loop[i] >= 0)
+        if (changed->loop[i] >= 0) {
             EXPECT_EQ(points[i], reference::point_of(mesh, changed->loop[i]));
+        }
 }
 
 TEST_F(AtTheLowerSide, NearCountsKeepTheLoopEven) {
