@@ -139,6 +139,13 @@ std::vector<Edge> boundary_edges(mesh::Faces faces, const std::vector<std::int32
     return edges;
 }
 
+bool in_plane(const QuadArrays &quads) {
+    for (std::size_t i = 2; i < quads.points.size(); i += 3)
+        if (quads.points[i] != quads.points[2])
+            return false;
+    return true;
+}
+
 void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, const PairingRules &rules,
           QuadArrays &quads) {
     Paired paired;
@@ -162,7 +169,10 @@ void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, const Pair
         recut(quads, {polygons.points, polygons.faces, polygons.face_marker, barred}, flat,
               vertices_on(quads, boundary));
     barred.insert(barred.end(), boundary.begin(), boundary.end());
-    if (!barred.empty())
+    // In a plane corners of 180 degrees or more are inverted; in space smoothing may open those inside.
+    if (in_plane(quads))
+        pillow(quads, std::vector<bool>(quads.points.size() / 3, true));
+    else if (!barred.empty())
         pillow(quads, vertices_on(quads, barred));
 }
 
