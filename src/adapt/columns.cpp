@@ -14,7 +14,6 @@
 #include "reference/boundary.h"
 #include "reference/locate.h"
 #include "reference/statistics.h"
-#include "surface/curve.h"
 
 namespace alphamst::adapt {
 namespace {
@@ -188,54 +187,82 @@ void split_column(mesh::QuadMesh &mesh, int edge, int copies, const reference::B
     }
 }
 
-// Whether the boundary is missed where a vertex of it goes.
-bool misses(const mesh::QuadMesh &mesh, const reference::Boundary &boundary, int vertex, double tolerance) {
+// Whether a vertex of the boundary may go, and the edge that comes keeps to the curve.
+bool may_go(const mesh::QuadMesh &mesh, const reference::Boundary &boundary, int vertex, double tolerance) {
+    if (!boundary.may_go(vertex))
+        return false;
     const std::vector<int> around = mesh.vertices_around(vertex);
     const surface::BoundaryCurves &curves = *boundary.curves;
     surface::CurvePlace from = boundary.places[at(around.front())], to = boundary.places[at(around.back())];
     if (from.curve < 0 || to.curve != from.curve)
-        return true;
+        return false;
     if (curves.way(from, boundary.places[at(vertex)]) > curves.way(from, to))
         std::swap(from, to);
-    const surface::Line line{curves.at(from), curves.at(to)};
-    const double most = tolerance * (line.end - line.start).norm();
-    for (const auto &bend : curves.between(from, curves.way(from, to)))
-        if (line.distance(bend.point) > most)
-            return true;
-    return false;
+    const double length = (curves.at(to) - curves.at(from)).norm();
+    return boundary.keeps_curve(from, curves.way(from, to), tolerance * length);
 }
 
-// Takes away one of the two lines of a column, where both its ends may go; the vertices of the other stay
-// where they are, and so do the heights of the rows.
-bool merge_column(mesh::QuadMesh &mesh, int edge, const Settings &settings, mesh::Renumbered &vertices) {
-    chord::Rules rules;
-    rules.boundary = true;
-    rules.straight = 180; // see misses
-    const Chord chord = chord::trace(mesh, edge);
-    if (chord.closed || chord.touches > 0 || chord::Judge(mesh, rules)(chord).reasons != 0)
+// Columns of one mesh that go, one after the other.
+class Merging {
+public:
+    Merging(mesh::QuadMesh &mesh, const Settings &settings)
+        : mesh_(mesh), settings_(settings), judge_(mesh, rules()), boundary_(reference::boundary_of(mesh, 1)),
+          vertices_(mesh.n_vertices()) {}
+
+    // Takes away one of the two lines of the column between two vertices, by what these were at first, where
+    // both its ends may go; the vertices of the other stay where they are, and so do the heights of the rows.
+    bool merge(const std::array<int, 2> &names) {
+        const int v = vertices_.now(names[0]), w = vertices_.now(names[1]);
+        const int edge = v >= 0 && w >= 0 ? mesh_.find_edge(v, w) : -1;
+        if (edge < 0)
+            return false;
+        const Chord chord = chord::trace(mesh_, edge);
+        if (chord.closed || chord.touches > 0 || judge_(chord).reasons != 0)
+            return false;
+        for (const std::size_t gone : {0, 1})
+            if (ends_may_go(chord, gone)) {
+                remove(chord, gone);
+                return true;
+            }
         return false;
-    const auto ends = [&](int side) {
+    }
+
+private:
+    static chord::Rules rules() {
+        chord::Rules rules;
+        rules.boundary = true;
+        rules.straight = 180; // may_go looks at the curve itself
+        return rules;
+    }
+
+    std::array<int, 2> ends(int side) const {
         const auto h = mesh::Kernel::HalfedgeHandle(side);
-        return std::array{mesh.kernel().from_vertex_handle(h).idx(), mesh.kernel().to_vertex_handle(h).idx()};
-    };
-    const reference::Boundary boundary = reference::boundary_of(mesh, 1);
-    const auto may_go = [&](int v) {
-        return boundary.may_go(v) && !misses(mesh, boundary, v, settings.tolerance);
-    };
-    for (const std::size_t gone : {0, 1}) {
-        if (!may_go(ends(chord.sides.front())[gone]) || !may_go(ends(chord.sides.back())[gone]))
-            continue;
+        return {mesh_.kernel().from_vertex_handle(h).idx(), mesh_.kernel().to_vertex_handle(h).idx()};
+    }
+
+    bool ends_may_go(const Chord &chord, std::size_t gone) const {
+        return may_go(mesh_, boundary_, ends(chord.sides.front())[gone], settings_.tolerance) &&
+               may_go(mesh_, boundary_, ends(chord.sides.back())[gone], settings_.tolerance);
+    }
+
+    void remove(const Chord &chord, std::size_t gone) {
         std::vector<std::array<int, 2>> merged;
         for (const int side : chord.sides)
             merged.push_back({ends(side)[gone], ends(side)[1 - gone]});
         for (const auto &pair : merged)
-            vertices.remove(pair[0]);
-        for (const auto &[from, to] : mesh.collapse_chord(chord.sides, merged).moved_vertices)
-            vertices.move(from, to);
-        return true;
+            vertices_.remove(pair[0]);
+        const auto moved = mesh_.collapse_chord(chord.sides, merged).moved_vertices;
+        for (const auto &[from, to] : moved)
+            vertices_.move(from, to);
+        boundary_.follow(moved, mesh_.n_vertices());
     }
-    return false;
-}
+
+    mesh::QuadMesh &mesh_;
+    const Settings &settings_;
+    chord::Judge judge_;
+    reference::Boundary boundary_;
+    mesh::Renumbered vertices_; // since the first column went
+};
 
 // Every so many of n, evenly: whether the i-th is one.
 bool takes(std::size_t i, std::size_t of, std::size_t n) { return (i + 1) * of / n > i * of / n; }
@@ -259,15 +286,11 @@ bool coarsen(mesh::QuadMesh &mesh, const std::vector<int> &columns, std::size_t 
     for (const int edge : columns)
         ends.push_back(mesh.edge_vertices(edge));
     const std::size_t n = columns.size(), less = std::min(n - target, n / 2);
-    mesh::Renumbered vertices(mesh.n_vertices());
+    Merging merging(mesh, settings);
     bool any = false;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (!takes(i, less, n))
-            continue;
-        const int v = vertices.now(ends[i][0]), w = vertices.now(ends[i][1]);
-        const int edge = v >= 0 && w >= 0 ? mesh.find_edge(v, w) : -1;
-        any = (edge >= 0 && merge_column(mesh, edge, settings, vertices)) || any;
-    }
+    for (std::size_t i = 0; i < n; ++i)
+        if (takes(i, less, n))
+            any = merging.merge(ends[i]) || any;
     return any;
 }
 

@@ -41,21 +41,16 @@ void Commits::follow_boundary(const refill::Replacement &replacement,
     if (!reference_.boundary)
         return;
     reference::Boundary &boundary = *reference_.boundary;
-    const std::size_t n = std::max(boundary.places.size(), at(mesh_.n_vertices()));
-    boundary.places.resize(n);
-    boundary.stays.resize(n);
-    for (const auto &[from, to] : replaced.moved_vertices) {
-        boundary.places[at(to)] = boundary.places[at(from)];
-        boundary.stays[at(to)] = boundary.stays[at(from)];
-    }
+    const std::size_t during = std::max(boundary.places.size(), at(mesh_.n_vertices()));
+    boundary.places.resize(during);
+    boundary.stays.resize(during);
+    boundary.follow(replaced.moved_vertices, mesh_.n_vertices());
     const std::vector<surface::CurvePlace> &added = replacement.window.added_places;
     for (std::size_t i = 0; i < replaced.vertices.size(); ++i) {
         const std::size_t v = at(replaced.vertices[i]);
         boundary.places[v] = i < added.size() ? added[i] : surface::CurvePlace();
         boundary.stays[v] = i >= added.size();
     }
-    boundary.places.resize(at(mesh_.n_vertices()));
-    boundary.stays.resize(at(mesh_.n_vertices()));
 }
 
 // Samples of the surface go to the new faces and to the buffer, both by their numbers before any others

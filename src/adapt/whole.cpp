@@ -249,13 +249,9 @@ private:
 
     // As rank, but then by what choices of fillings weigh.
     std::tuple<bool, bool, std::int64_t, double> price(const Outcome &of) const {
-        const reference::SizeError sizes{of.size_error_after, std::log2(of.least_area_after),
-                                         of.shortest_edge_after};
         const double aspect =
             settings_.edit_boundary ? price_of_aspect * std::log2(of.aspect_ratio_after) : 0;
-        return {missing(of) != 0, missing(of) != 0 && rose(of), missing(of),
-                static_cast<double>(of.singular_after) +
-                    refill::price_of(sizes, of.quality_after, refill::enough) + aspect};
+        return {missing(of) != 0, missing(of) != 0 && rose(of), missing(of), refill::price_of(of) + aspect};
     }
 
     mesh::QuadMesh &mesh_;

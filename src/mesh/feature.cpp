@@ -1,11 +1,11 @@
 #include "mesh/feature.h"
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "surface/angle.h"
 
 namespace alphamst::mesh {
 namespace {
@@ -25,11 +25,6 @@ Vector3d area_vector(const QuadMesh &mesh, int face) {
     return (point_of(mesh, c) - point_of(mesh, a)).cross(point_of(mesh, d) - point_of(mesh, b));
 }
 
-// 0..180; 0 if one of them has no length.
-double angle_between(const Vector3d &u, const Vector3d &v) {
-    return std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi;
-}
-
 std::vector<int> sharp_edges(const QuadMesh &mesh, double angle) {
     std::vector<Vector3d> normals;
     normals.reserve(static_cast<std::size_t>(mesh.n_faces()));
@@ -39,8 +34,8 @@ std::vector<int> sharp_edges(const QuadMesh &mesh, double angle) {
     for (int e = 0; e < mesh.n_edges(); ++e) {
         const auto [left, right] = mesh.edge_faces(e);
         if (left >= 0 && right >= 0 &&
-            angle_between(normals[static_cast<std::size_t>(left)], normals[static_cast<std::size_t>(right)]) >
-                angle)
+            surface::degrees_between(normals[static_cast<std::size_t>(left)],
+                                     normals[static_cast<std::size_t>(right)]) > angle)
             sharp.push_back(e);
     }
     return sharp;
@@ -66,8 +61,8 @@ std::vector<int> corners_of(const QuadMesh &mesh, const std::vector<bool> &on_cu
             note(w, v);
         }
     const auto turn = [&](int v, const std::array<int, 2> &others) {
-        return angle_between(point_of(mesh, v) - point_of(mesh, others[0]),
-                             point_of(mesh, others[1]) - point_of(mesh, v));
+        return surface::degrees_between(point_of(mesh, v) - point_of(mesh, others[0]),
+                                        point_of(mesh, others[1]) - point_of(mesh, v));
     };
     std::vector<int> corners;
     for (int v = 0; v < mesh.n_vertices(); ++v) {

@@ -7,6 +7,8 @@
 #include "index.h"
 #include "patch/region.h"
 #include "reference/locate.h"
+#include "surface/angle.h"
+#include "surface/curve.h"
 
 namespace alphamst::reference {
 namespace {
@@ -95,6 +97,26 @@ bool Boundary::may_change(const mesh::QuadMesh &mesh, int v, int w) const {
     const auto [left, right] = mesh.edge_faces(edge);
     return (left < 0 || right < 0) && (mesh.edge_flags[at(edge)] & ~mesh::feature) == 0 &&
            places[at(v)].curve >= 0 && places[at(w)].curve >= 0;
+}
+
+bool Boundary::keeps_curve(CurvePlace from, double length, double most) const {
+    const surface::Line line{curves->at(from), curves->at(curves->advance(from, length))};
+    double missed = 0;
+    for (const auto &bend : curves->between(from, length))
+        missed = std::max(missed, line.distance(bend.point));
+    if (missed == 0)
+        return true;
+    // Two edges that come nearer to each other by less than half of what is between them do not meet.
+    return missed <= most && !curves->others_near(from, length, 2 * missed);
+}
+
+void Boundary::follow(std::span<const std::array<int, 2>> moved, int n_vertices) {
+    for (const auto &[from, to] : moved) {
+        places[at(to)] = places[at(from)];
+        stays[at(to)] = stays[at(from)];
+    }
+    places.resize(at(n_vertices));
+    stays.resize(at(n_vertices));
 }
 
 double Boundary::present_length(CurvePlace place) const {

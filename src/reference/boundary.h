@@ -1,8 +1,10 @@
 // The boundary of a mesh as curves, on which its vertices come and go.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mesh/quad_mesh.h"
@@ -29,6 +31,11 @@ struct Boundary {
 
     // Whether an edge between two vertices may become others: it is on a curve and not FIXED.
     bool may_change(const mesh::QuadMesh &mesh, int v, int w) const;
+    // Whether the straight line between two places misses the curve by no more than that, and meets no other
+    // part of the boundary.
+    bool keeps_curve(surface::CurvePlace from, double length, double most) const;
+    // Vertices of the mesh were renumbered, in this order; now there are so many.
+    void follow(std::span<const std::array<int, 2>> moved, int n_vertices);
     bool may_go(int vertex) const {
         const auto v = static_cast<std::size_t>(vertex);
         return places[v].curve >= 0 && stays[v] == 0;

@@ -64,6 +64,12 @@ double price_of(const SizeError &sizes, double scaled_jacobian, double enough) {
            price_of_shape * std::max(0.0, enough - scaled_jacobian);
 }
 
+double price_of(const Outcome &outcome) {
+    const SizeError sizes{outcome.size_error_after, std::log2(outcome.least_area_after),
+                          outcome.shortest_edge_after};
+    return static_cast<double>(outcome.singular_after) + price_of(sizes, outcome.quality_after, enough);
+}
+
 FillingChoice::FillingChoice(const Cavity &cavity, Evaluator &evaluator, Trace &trace, const Goal &goal,
                              const Settings &settings)
     : cavity_(cavity), evaluator_(evaluator), trace_(trace), goal_(goal), settings_(settings),

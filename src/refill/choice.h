@@ -20,6 +20,9 @@ inline constexpr double enough = 0.5;
 // What sizes and a smallest scaled Jacobian below `enough` cost, in singular vertices.
 double price_of(const SizeError &sizes, double scaled_jacobian, double enough);
 
+// What an outcome costs: its singular vertices, and that of its sizes and shapes.
+double price_of(const Outcome &outcome);
+
 // What was taken. Without an evaluation nothing is better than what is there.
 struct Chosen {
     std::optional<Evaluation> evaluation;

@@ -16,6 +16,10 @@
 namespace alphamst::refill {
 namespace {
 
+// In singular vertices, of edges of the boundary that are twice as long as is wanted: who lets the boundary
+// change wants that, unless it spoils the patch.
+constexpr double price_of_boundary = 10;
+
 // Least number of singular vertices that any filling of this boundary has.
 std::int64_t bound(const Cavity &cavity, const mesh::QuadMesh &mesh) {
     const auto &window = cavity.window;
@@ -93,21 +97,10 @@ void fill(const mesh::QuadMesh &mesh, const Patch &patch, const Cavity &cavity, 
     outcome.candidate = best.number;
 }
 
-// In singular vertices, of edges of the boundary that are twice as long as is wanted: who lets the boundary
-// change wants that, unless it spoils the patch.
-constexpr double price_of_boundary = 10;
-
 struct RespacedProposal {
     Proposal proposal;
     double boundary_error; // before
 };
-
-// As choices of fillings weigh it.
-double score(const Outcome &outcome) {
-    const SizeError sizes{outcome.size_error_after, std::log2(outcome.least_area_after),
-                          outcome.shortest_edge_after};
-    return static_cast<double>(outcome.singular_after) + price_of(sizes, outcome.quality_after, enough);
-}
 
 // With the vertices on the boundary of the mesh that are wanted, or that are nearest to it; nothing if there
 // is no such filling. before: what is known of the patch.
@@ -167,8 +160,8 @@ Proposal propose_exactly(const mesh::QuadMesh &mesh, const Patch &patch, const G
                 throw;
         }
         if (respaced && (proposal.replacement.filling.quads.empty() ||
-                         score(respaced->proposal.outcome) <=
-                             score(outcome) + price_of_boundary * respaced->boundary_error))
+                         price_of(respaced->proposal.outcome) <=
+                             price_of(outcome) + price_of_boundary * respaced->boundary_error))
             proposal = std::move(respaced->proposal);
     } catch (const Refusal &refusal) {
         outcome.fault = refusal.fault;

@@ -30,13 +30,6 @@ constexpr double parts_of_way[] = {1, 0.5, 0.25};
 // may be moved for it.
 constexpr double least_bend = 10, most_moved = 0.3;
 
-double distance_from_segment(const Vector3d &p, const Vector3d &a, const Vector3d &b) {
-    const Vector3d along = b - a;
-    const double length = along.squaredNorm();
-    const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
-    return (p - a - t * along).norm();
-}
-
 double squared_log(double ratio) {
     const double log = std::log2(ratio);
     return log * log;
@@ -213,19 +206,6 @@ void Respacing::make_even(Counts &counts) const {
     counts[changed] += by;
 }
 
-bool Respacing::keeps_curve(CurvePlace from, double length) const {
-    const CurvePlace to = boundary_.curves->advance(from, length);
-    const Vector3d a = boundary_.curves->at(from), b = boundary_.curves->at(to);
-    double missed = 0;
-    for (const auto &bend : boundary_.curves->between(from, length))
-        missed = std::max(missed, distance_from_segment(bend.point, a, b));
-    if (missed == 0)
-        return true;
-    // Two edges that come nearer to each other by less than half of what is between them do not meet.
-    return missed <= tolerance_ * edge_length_(boundary_.curves->advance(from, length / 2)) &&
-           !boundary_.curves->others_near(from, length, 2 * missed);
-}
-
 // As wanted lengths have it, but at bends that are near.
 std::vector<double> Respacing::lengths(const Run &run, int edges) const {
     std::vector<double> lengths{0};
@@ -260,7 +240,9 @@ std::optional<Respacing::Places> Respacing::places(const Run &run, int edges) co
     const std::vector<double> ends = lengths(run, edges);
     for (std::size_t i = 1; i < ends.size(); ++i) {
         const CurvePlace from = boundary_.curves->advance(run.from, ends[i - 1]);
-        if (!keeps_curve(from, ends[i] - ends[i - 1]))
+        const double length = ends[i] - ends[i - 1];
+        const double wanted = edge_length_(boundary_.curves->advance(from, length / 2));
+        if (!boundary_.keeps_curve(from, length, tolerance_ * wanted))
             return std::nullopt;
         if (i > 1)
             places.push_back(from);

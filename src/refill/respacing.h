@@ -58,7 +58,6 @@ private:
     void make_even(Counts &counts) const;
     std::vector<double> lengths(const Run &run, int edges) const; // from its start to each vertex
     std::optional<Places> places(const Run &run, int edges) const;
-    bool keeps_curve(surface::CurvePlace from, double length) const;
     void keep(std::size_t i, int parent, patch::Window &changed) const;
     int parent(const Run &run, double along) const;
     bool add(const Run &run, int edges, patch::Window &changed) const;

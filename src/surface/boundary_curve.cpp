@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <boost/iterator/function_output_iterator.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "index.h"
+#include "surface/angle.h"
 #include "surface/boxes.h"
 #include "surface/curve.h"
 
@@ -32,10 +32,6 @@ double distance(const Line &a, const Line &b) {
 }
 
 } // namespace
-
-double degrees_between(const Vector3d &u, const Vector3d &v) {
-    return std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi;
-}
 
 struct BoundaryCurves::Tree {
     BoxTree boxes;

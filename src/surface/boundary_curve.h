@@ -8,9 +8,6 @@
 
 namespace alphamst::surface {
 
-// 0 .. 180; 0 if one of them has no length.
-double degrees_between(const Eigen::Vector3d &u, const Eigen::Vector3d &v);
-
 struct CurvePlace {
     int curve = -1;   // none
     double along = 0; // length from the first point of the curve on, below that of the whole

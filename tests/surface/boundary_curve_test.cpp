@@ -1,3 +1,4 @@
+#include "surface/angle.h"
 #include "surface/boundary_curve.h"
 
 #include <cmath>
