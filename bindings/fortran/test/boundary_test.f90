@@ -73,11 +73,14 @@ contains
 
     subroutine new_vertices_lie_on_the_circle()
         type(amst_mesh) :: mesh
+        type(amst_report) :: report
         type(circle), target :: unit
 
         call new_disk(mesh)
         call mesh%set_projection(to_circle, unit)
-        call alphamst_adapt(mesh, alpha=4.0_real64, options=options)
+        call alphamst_adapt(mesh, alpha=4.0_real64, options=options, report=report)
+        ! What the chords had cut off the disk.
+        call claim(report%get_real(AMST_RESULT_AREA_GAINED) > 0.01_real64, 'the domain grew')
         call mesh%check()
         call claim(mesh%count(AMST_FACE) == 256, 'four times the faces')
         call claim(size(radii(mesh)) > 48, 'vertices came')

@@ -53,7 +53,9 @@ fn refine(mesh: &mut Mesh) -> Result<Report> {
 fn new_vertices_lie_on_the_circle() {
     let mut mesh = disk(&Context::new());
     let calls = counted(&mut mesh);
-    refine(&mut mesh).unwrap();
+    let report = refine(&mut mesh).unwrap();
+    let gained = report.all().get_real(ResultKey::AreaGained).unwrap();
+    assert!(gained > 0.01 && gained < 0.1, "{gained}"); // what the chords had cut off the disk
     mesh.check().unwrap();
     let radii = radii(&mesh);
     assert!(mesh.n_faces() == 256 && radii.len() > 48, "{} edges", radii.len());
