@@ -712,13 +712,13 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   SIZE_WEIGHT     A R S        A R             A R S C       A R C         S of plane patches of any mesh
  *   TRANSITION      A R          A R             A R C         A R C
  *   LEAST_SIZE      A R          A R             A R C         A R C
- *   TOLERANCE       A R          A R             A R           A R           plane: if EDIT_BOUNDARY is 1
+ *   TOLERANCE       A R          A R S           A R           A R S         plane, S: if EDIT_BOUNDARY is 1
  *   CHART           -            A R             -             A R C
  *   ALIGN           -            A R             -             A R
  *   field "cross"   -            A R             -             A R           with ALIGN only
  *   field "size"    A R          A R             A R           A R
  *   STRATEGY        -            -               A             A
- *   EDIT_BOUNDARY   A R          -               A R           A
+ *   EDIT_BOUNDARY   A R          S               A R           A R S
  *
  * Patches on a plane: all are plane, and the mesh has no surface yet. A plane patch on a curved mesh needs no
  * CHART. Whole meshes are filled as patches are where they are small (up to 1,000 faces), where faces would
@@ -759,7 +759,9 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            columns, with stretched rows along the boundary, columns alone come and go: rows keep their
  *            heights.
  *            On a curved mesh, and with STRATEGY 1, 1 lets chords take vertices from features and boundary
- *            where these turn by less than 30 degrees, as machine parts may need; with 0
+ *            where these turn by less than 30 degrees, as machine parts may need; vertices slide along
+ *            features around such bends, which stay within a fifth of TOLERANCE of their edges; and new
+ *            ones lie on the curve as it was when an operation first found it. With 0
  *            features lose and get vertices only where they are straight. With STRATEGY 0 there are chords
  *            only where a curved mesh that is nearly regular and has no field "size" begins with them.
  * Where a curved mesh cannot have the faces wanted, no more singular vertices are made than there were.
@@ -775,10 +777,10 @@ AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *pa
  * ones stay, and so does the revision. On a curved mesh a vertex with two edges that are
  * FEATURE, marked or borders of regions, both alike, slides between its neighbours on
  * them where the curve is straight, as it was when an operation first found it so flagged;
- * so no curve changes. FIXED and CORNER vertices stay. The same holds for whole meshes in
- * amst_adapt and amst_reduce_singularities. In a plane faces keep the
- * sizes that there are around, or come to those of the field "size", for which scaled Jacobians may fall, but
- * none below a half; on a surface without that field sizes become even. */
+ * so no curve changes, unless AMST_OPT_EDIT_BOUNDARY lets them slide around bends, too. FIXED and CORNER
+ * vertices stay. The same holds for whole meshes in amst_adapt and amst_reduce_singularities. In a plane
+ * faces keep the sizes that there are around, or come to those of the field "size", for which scaled
+ * Jacobians may fall, but none below a half; on a surface without that field sizes become even. */
 AMST_API amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst_options *options,
                                  amst_report **report);
 /* Remove doublets and split valences above 5. The revision rises if there were any. */

@@ -20,8 +20,9 @@ constexpr double step = 0.15, least_step = 0.01;
 
 void silent(double /*fraction*/, const char * /*stage*/) {}
 
-// Vertices that came to lie off the surface go back to it.
+// Vertices that came to lie off the surface or their curve go back to it.
 void land(mesh::QuadMesh &mesh) {
+    reference::keep_to_curves(mesh);
     for (int v = 0; v < mesh.n_vertices(); ++v)
         if (!mesh.isolated(v) && !patch::constrained(mesh, v)) {
             const Eigen::Vector3d p = reference::spot_of(mesh, *mesh.surface, v).point;

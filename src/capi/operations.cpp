@@ -37,8 +37,17 @@ std::vector<std::int32_t> for_whole_mesh(bool curved, bool edits_boundary) {
     return keys;
 }
 
+// Whole meshes that are reduced: chords come in amst_adapt alone, but vertices slide.
+std::vector<std::int32_t> for_reduction(bool curved, bool edits_boundary, bool whole) {
+    std::vector<std::int32_t> keys = for_fillings(curved, edits_boundary);
+    if (curved && whole)
+        keys.push_back(AMST_OPT_EDIT_BOUNDARY);
+    return keys;
+}
+
 // Sizes are weighed only where what moves is plane, be it on a curved mesh.
-std::vector<std::int32_t> for_smoothing(const mesh::QuadMesh &mesh, const std::vector<Patch> *patches) {
+std::vector<std::int32_t> for_smoothing(const mesh::QuadMesh &mesh, const std::vector<Patch> *patches,
+                                        bool edits_boundary) {
     const auto is_plane = [&](std::span<const int> faces) {
         return !faces.empty() && reference::plane_of(mesh, faces);
     };
@@ -50,13 +59,16 @@ std::vector<std::int32_t> for_smoothing(const mesh::QuadMesh &mesh, const std::v
     } else {
         any = std::ranges::any_of(*patches, [&](const Patch &patch) { return is_plane(patch.faces); });
     }
+    std::vector<std::int32_t> keys;
     if (any)
-        return {AMST_OPT_SIZE_WEIGHT};
-    return {};
+        keys.push_back(AMST_OPT_SIZE_WEIGHT);
+    if (edits_boundary && mesh.dim() == 3)
+        keys.insert(keys.end(), {AMST_OPT_EDIT_BOUNDARY, AMST_OPT_TOLERANCE});
+    return keys;
 }
 
 std::vector<std::int32_t> for_chords(const mesh::QuadMesh &mesh) {
-    std::vector<std::int32_t> keys = for_smoothing(mesh, nullptr);
+    std::vector<std::int32_t> keys = for_smoothing(mesh, nullptr, false);
     keys.insert(keys.end(), {AMST_OPT_STRATEGY, AMST_OPT_EDIT_BOUNDARY});
     return keys;
 }
@@ -106,7 +118,9 @@ amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches, co
         else
             outcomes =
                 adapt::reduce_singularities(change.mesh(), change.regions(), settings, change.progress());
-        return change.finish(outcomes, false, for_fillings(change.curved(), settings.edit_boundary), report);
+        return change.finish(outcomes, false,
+                             for_reduction(change.curved(), settings.edit_boundary, patches == nullptr),
+                             report);
     });
 }
 
@@ -120,7 +134,8 @@ amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst
         const std::vector<Patch> *regions = patches == nullptr ? nullptr : &change.regions();
         const std::vector<Outcome> outcomes =
             smooth::smooth(change.mesh(), regions, settings, change.progress());
-        return change.finish(outcomes, false, for_smoothing(change.mesh(), regions), report);
+        return change.finish(outcomes, false, for_smoothing(change.mesh(), regions, settings.edit_boundary),
+                             report);
     });
 }
 

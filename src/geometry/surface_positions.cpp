@@ -237,7 +237,8 @@ private:
         const surface::Spot spot = star.feature_line
                                        ? spot_on(*star.feature_line, flat, v)
                                        : surface_.follow(flat, on_surface_.surface_triangles[at(v)]);
-        if (star.feature_line && !star.feature_line->holds(spot.point, on_surface_.points))
+        if (star.feature_line && (!star.feature_line->holds(spot.point, on_surface_.points) ||
+                                  star.feature_line->squeezes(from, spot.point, on_surface_.points)))
             return false;
         const Vector3d way = spot.point - from;
         star.points[0] = {way.dot(star.along), way.dot(star.across)};
@@ -258,7 +259,7 @@ private:
 
     // On the line to the last bit, wherever the surface is.
     surface::Spot spot_on(const FeatureLine &feature_line, const Vector3d &p, int v) const {
-        const Vector3d point = feature_line.line.at(feature_line.line.place(p));
+        const Vector3d point = feature_line.at(feature_line.place(p));
         return {surface_.follow(point, on_surface_.surface_triangles[at(v)]).triangle, point,
                 on_surface_.normals[at(v)], 0};
     }

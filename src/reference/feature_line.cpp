@@ -1,5 +1,8 @@
 #include "reference/feature_line.h"
 
+#include <utility>
+
+#include "index.h"
 #include "mesh/feature.h"
 #include "patch/region.h"
 #include "reference/locate.h"
@@ -11,7 +14,12 @@ constexpr double rounding = 1e-9; // of the way between two neighbours: off a li
 
 } // namespace
 
-geometry::FeatureLine feature_line_of(const mesh::QuadMesh &mesh, int vertex) {
+double bend_tolerance(const Settings &settings) {
+    constexpr double part = 0.2; // with all of it rms errors are the same, and curves are missed twice as far
+    return settings.edit_boundary ? part * settings.tolerance : 0;
+}
+
+geometry::FeatureLine feature_line_of(const mesh::QuadMesh &mesh, int vertex, double tolerance) {
     if (!mesh.curves)
         return {};
     const auto others = patch::slide(mesh, vertex);
@@ -19,12 +27,15 @@ geometry::FeatureLine feature_line_of(const mesh::QuadMesh &mesh, int vertex) {
         return {};
     const std::array points{point_of(mesh, vertex), point_of(mesh, (*others)[0]),
                             point_of(mesh, (*others)[1])};
-    const int found = mesh.curves->find(points);
-    if (found < 0)
+    geometry::FeatureLine local{{}, {1, 2}, tolerance};
+    if (const int found = mesh.curves->find(points); found >= 0)
+        local.lines.push_back(mesh.curves->lines()[at(found)]);
+    else if (tolerance > 0)
+        local.lines = mesh.curves->way_through(points[1], points[0], points[2]);
+    if (local.lines.empty() || !local.holds(points[0], points))
         return {};
-    const surface::Line &line = mesh.curves->lines()[static_cast<std::size_t>(found)];
-    const geometry::FeatureLine local{line, {1, 2}};
-    return local.holds(points[0], points) ? geometry::FeatureLine{line, *others} : geometry::FeatureLine{};
+    local.between = *others;
+    return local;
 }
 
 void straighten(mesh::QuadMesh &mesh) {
@@ -42,14 +53,52 @@ void straighten(mesh::QuadMesh &mesh) {
     }
 }
 
-std::vector<geometry::FeatureLine> feature_lines_of(const mesh::QuadMesh &mesh) {
+std::vector<geometry::FeatureLine> feature_lines_of(const mesh::QuadMesh &mesh, double tolerance) {
     std::vector<geometry::FeatureLine> feature_lines;
     for (int v = 0; mesh.curves && v < mesh.n_vertices(); ++v)
-        if (const geometry::FeatureLine feature_line = feature_line_of(mesh, v)) {
-            feature_lines.resize(static_cast<std::size_t>(mesh.n_vertices()));
-            feature_lines[static_cast<std::size_t>(v)] = feature_line;
+        if (geometry::FeatureLine feature_line = feature_line_of(mesh, v, tolerance)) {
+            feature_lines.resize(at(mesh.n_vertices()));
+            feature_lines[at(v)] = std::move(feature_line);
         }
     return feature_lines;
+}
+
+namespace {
+
+bool on_curves(const mesh::QuadMesh &mesh, int vertex) {
+    return mesh.curves->find(std::array{point_of(mesh, vertex)}) >= 0;
+}
+
+// Along the feature from a vertex off its curve, the first that is on it; -1 if there is none.
+int first_on_curve(const mesh::QuadMesh &mesh, int vertex, int next) {
+    const int start = vertex;
+    while (next != start && !on_curves(mesh, next)) {
+        const auto others = patch::slide(mesh, next);
+        if (!others)
+            return -1;
+        const int before = std::exchange(vertex, next);
+        next = (*others)[(*others)[0] == before ? 1 : 0];
+    }
+    return next == start ? -1 : next;
+}
+
+} // namespace
+
+void keep_to_curves(mesh::QuadMesh &mesh) {
+    std::vector<std::pair<int, Eigen::Vector3d>> moved;
+    for (int v = 0; mesh.curves && v < mesh.n_vertices(); ++v) {
+        const auto others = patch::slide(mesh, v);
+        if (!others || on_curves(mesh, v))
+            continue;
+        const int from = first_on_curve(mesh, v, (*others)[0]), to = first_on_curve(mesh, v, (*others)[1]);
+        if (from < 0 || to < 0 || from == to)
+            continue;
+        const geometry::FeatureLine line{mesh.curves->way(point_of(mesh, from), point_of(mesh, to)), {}, 0};
+        if (!line.lines.empty())
+            moved.emplace_back(v, line.at(line.place(point_of(mesh, v))));
+    }
+    for (const auto &[v, p] : moved)
+        mesh.set_point(v, {p.x(), p.y(), p.z()});
 }
 
 void forget_normals(const mesh::QuadMesh &mesh, std::span<const int> vertices, geometry::Quads quads,

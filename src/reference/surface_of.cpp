@@ -78,9 +78,10 @@ std::shared_ptr<const surface::Curves> curves_of(const mesh::QuadMesh &mesh) {
             continue;
         const std::array<int, 2> edge = mesh.edge_vertices(e);
         const std::array ends{point_of(mesh, edge[0]), point_of(mesh, edge[1])};
-        if (const int line = mesh.curves ? mesh.curves->find(ends) : -1; line >= 0)
-            used.push_back(line);
-        else
+        const std::vector<int> lines =
+            mesh.curves ? mesh.curves->lines_between(ends[0], ends[1]) : std::vector<int>();
+        used.insert(used.end(), lines.begin(), lines.end());
+        if (lines.empty())
             fresh.push_back(edge);
     }
     if (fresh.empty())

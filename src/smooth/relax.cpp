@@ -109,8 +109,9 @@ bool keep_good(const mesh::QuadMesh &mesh, const std::optional<reference::Surfac
 }
 
 void relax_on_surface(mesh::QuadMesh &mesh, reference::Reference &reference, std::vector<char> fixed,
-                      geometry::EmbedOptions options) {
-    const std::vector<geometry::FeatureLine> feature_lines = reference::feature_lines_of(mesh);
+                      geometry::EmbedOptions options, double bend_tolerance) {
+    const std::vector<geometry::FeatureLine> feature_lines =
+        reference::feature_lines_of(mesh, bend_tolerance);
     for (std::size_t v = 0; v < feature_lines.size(); ++v)
         if (feature_lines[v])
             fixed[v] = 0;
@@ -164,7 +165,7 @@ void relax_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
     if (reference.plane)
         relax_flat(mesh, *reference.plane, fixed, options);
     else
-        relax_on_surface(mesh, reference, std::move(fixed), options);
+        relax_on_surface(mesh, reference, std::move(fixed), options, reference::bend_tolerance(settings));
 }
 
 void settle_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,

@@ -47,11 +47,12 @@ struct Part {
     }
 
     // From now on, where the mesh has lines for that.
-    void let_slide(const mesh::QuadMesh &mesh) {
+    void let_slide(const mesh::QuadMesh &mesh, double bend_tolerance) {
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             if (fixed[i] != held)
                 continue;
-            geometry::FeatureLine feature_line = reference::feature_line_of(mesh, vertices[i]);
+            geometry::FeatureLine feature_line =
+                reference::feature_line_of(mesh, vertices[i], bend_tolerance);
             if (!feature_line)
                 continue;
             for (int &v : feature_line.between)
@@ -154,7 +155,7 @@ void smooth_on_surface(mesh::QuadMesh &mesh, const Part &part, const reference::
     };
     if (mesh.curves) {
         Part sliding = part;
-        sliding.let_slide(mesh);
+        sliding.let_slide(mesh, reference::bend_tolerance(settings));
         if (!sliding.feature_lines.empty() && try_with(sliding))
             return;
     }

@@ -5,12 +5,18 @@
 #include <utility>
 
 #include "index.h"
+#include "surface/angle.h"
 #include "surface/boxes.h"
 
 namespace alphamst::surface {
 namespace {
 
 using Eigen::Vector3d;
+
+// Degrees: curves that turn by more have a corner there. A chord that goes across takes such a vertex, too.
+constexpr double least_corner = 30;
+// A way along curves is no longer than so many times the way straight on.
+constexpr double detour = 1.5;
 
 // Edges in chains: from point to point through those where two edges meet and nothing bends.
 class Chains {
@@ -99,6 +105,7 @@ Curves::Curves(std::span<const Vector3d> points, std::span<const std::array<int,
         entries.emplace_back(box_of(ends, tolerance), static_cast<int>(entries.size()));
     }
     tree_.reset(new Tree{BoxTree(entries)});
+    join();
 }
 
 Curves::~Curves() = default;
@@ -127,19 +134,136 @@ void Curves::add_straight(std::span<const Vector3d> way) {
     }
 }
 
+template <class Look> void Curves::at_point(const Vector3d &p, Look &&look) const {
+    tree_->boxes.query(spatial_index::intersects(box_corner(p)),
+                       boost::make_function_output_iterator([&](const BoxEntry &entry) {
+                           if (lines_[at(entry.second)].distance(p) <= tolerance_)
+                               look(entry.second);
+                       }));
+}
+
 int Curves::find(std::span<const Vector3d> points) const {
     int found = -1;
-    const auto look = [&](const BoxEntry &entry) {
-        const Line &line = lines_[at(entry.second)];
-        if ((found < 0 || entry.second < found) && std::all_of(points.begin(), points.end(), [&](auto &p) {
-                return line.distance(p) <= tolerance_;
+    const auto look = [&](int line) {
+        if ((found < 0 || line < found) && std::all_of(points.begin(), points.end(), [&](auto &p) {
+                return lines_[at(line)].distance(p) <= tolerance_;
             }))
-            found = entry.second;
+            found = line;
     };
     if (!points.empty())
-        tree_->boxes.query(spatial_index::intersects(box_corner(points[0])),
-                           boost::make_function_output_iterator(look));
+        at_point(points[0], look);
     return found;
+}
+
+// Two lines whose ends are the same point, and no third one's.
+void Curves::join() {
+    struct End {
+        Vector3d point;
+        Step leave; // the line, from there
+    };
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        ends.push_back({lines_[i].start, {static_cast<int>(i), false}});
+        ends.push_back({lines_[i].end, {static_cast<int>(i), true}});
+    }
+    const auto key = [](const End &end) { return std::array{end.point.x(), end.point.y(), end.point.z()}; };
+    std::ranges::stable_sort(ends, {}, key);
+    joined_.resize(lines_.size());
+    for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
+        while (last < ends.size() && key(ends[last]) == key(ends[first]))
+            ++last;
+        if (last - first != 2)
+            continue;
+        const Step one = ends[first].leave, other = ends[first + 1].leave;
+        const Line away = passed(one), on = passed(other);
+        if (degrees_between(away.start - away.end, on.end - on.start) > least_corner)
+            continue;
+        joined_[at(one.line)][one.back ? 0 : 1] = other;
+        joined_[at(other.line)][other.back ? 0 : 1] = one;
+    }
+}
+
+Line Curves::passed(Step step) const {
+    const Line &line = lines_[at(step.line)];
+    return step.back ? line.reversed() : line;
+}
+
+Curves::Step Curves::after(Step step) const { return joined_[at(step.line)][step.back ? 1 : 0]; }
+
+std::vector<Curves::Step> Curves::steps(const Vector3d &from, const Vector3d &to) const {
+    std::vector<Step> best;
+    const double most = detour * (to - from).norm();
+    at_point(from, [&](int line) {
+        for (const bool back : {false, true}) {
+            std::vector<Step> way;
+            double length = -(from - passed({line, back}).start).norm();
+            for (Step step{line, back}; step.line >= 0 && length <= most; step = after(step)) {
+                way.push_back(step);
+                const Line &here = passed(step);
+                const double place = here.place(to), start = way.size() == 1 ? here.place(from) : 0;
+                if (here.distance(to) <= tolerance_ && place >= start) {
+                    if (length + (to - here.start).norm() <= most &&
+                        (best.empty() || way.size() < best.size()))
+                        best = way;
+                    break;
+                }
+                length += (here.end - here.start).norm();
+            }
+        }
+    });
+    return best;
+}
+
+void Curves::go_on(std::vector<Step> &steps, double length) const {
+    const auto known = [&](int line) { return std::ranges::find(steps, line, &Step::line) != steps.end(); };
+    for (Step next = after(steps.back()); length > 0 && next.line >= 0 && !known(next.line);
+         next = after(steps.back())) {
+        steps.push_back(next);
+        length -= (passed(next).end - passed(next).start).norm();
+    }
+}
+
+std::vector<int> Curves::lines_between(const Vector3d &from, const Vector3d &to) const {
+    if (const int line = find(std::array{from, to}); line >= 0)
+        return {line};
+    std::vector<int> lines;
+    for (const Step step : steps(from, to))
+        lines.push_back(step.line);
+    return lines;
+}
+
+std::vector<Line> Curves::way(const Vector3d &from, const Vector3d &to) const {
+    std::vector<Line> lines;
+    for (const Step step : steps(from, to))
+        lines.push_back(passed(step));
+    return lines;
+}
+
+std::vector<Line> Curves::way_through(const Vector3d &from, const Vector3d &between,
+                                      const Vector3d &to) const {
+    std::vector<Step> there = steps(between, to), back = steps(between, from);
+    if (there.empty() || back.empty())
+        return {};
+    const auto left = [&](const std::vector<Step> &steps, const Vector3d &p) {
+        return (p - between).norm() - (passed(steps.back()).end - p).norm();
+    };
+    go_on(there, left(there, to));
+    go_on(back, left(back, from));
+    std::vector<Step> all;
+    for (std::size_t i = back.size(); i-- > 0;)
+        all.push_back({back[i].line, !back[i].back});
+    const bool same = all.back().line == there.front().line;
+    if (same && all.back().back != there.front().back)
+        return {};
+    all.insert(all.end(), there.begin() + (same ? 1 : 0), there.end());
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            if (all[i].line == all[j].line)
+                return {}; // once around a small ring
+        lines.push_back(passed(all[i]));
+    }
+    return lines;
 }
 
 } // namespace alphamst::surface

@@ -16,6 +16,7 @@ struct Line {
     double place(const Eigen::Vector3d &p) const;
     Eigen::Vector3d at(double place) const { return start + place * (end - start); }
     double distance(const Eigen::Vector3d &p) const; // from the line between start and end
+    Line reversed() const { return {end, start}; }
 };
 
 // Const and safe for any number of threads once made. Who moves on them asks for a line that holds the point
@@ -34,13 +35,34 @@ public:
     int find(std::span<const Eigen::Vector3d> points) const;
     const std::vector<Line> &lines() const { return lines_; }
 
+    // The numbers of the lines that lead from one point to another: one that holds both, or those of a way.
+    std::vector<int> lines_between(const Eigen::Vector3d &from, const Eigen::Vector3d &to) const;
+    // The lines that lead from one point to the other, each from its start to its end, which bend by no more
+    // than 30 degrees where one ends and one other starts; the fewest of them. Empty if there are none, or if
+    // that is a detour.
+    std::vector<Line> way(const Eigen::Vector3d &from, const Eigen::Vector3d &to) const;
+    // As well, by way of a point between the two, and beyond them as far as it is from there to them.
+    std::vector<Line> way_through(const Eigen::Vector3d &from, const Eigen::Vector3d &between,
+                                  const Eigen::Vector3d &to) const;
+
 private:
     struct Tree;
+    struct Step { // a line and whether it is passed from its end to its start
+        int line = -1;
+        bool back = false;
+    };
 
     void add_straight(std::span<const Eigen::Vector3d> way);
+    void join();
+    Line passed(Step step) const;
+    Step after(Step step) const; // line -1: none
+    std::vector<Step> steps(const Eigen::Vector3d &from, const Eigen::Vector3d &to) const;
+    void go_on(std::vector<Step> &steps, double length) const;
+    template <class Look> void at_point(const Eigen::Vector3d &p, Look &&look) const;
 
     double tolerance_;
     std::vector<Line> lines_;
+    std::vector<std::array<Step, 2>> joined_; // [line][at its end, at its start] the next one from there
     std::unique_ptr<const Tree> tree_;
 };
 

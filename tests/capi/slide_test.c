@@ -180,9 +180,89 @@ static void the_result_is_the_same_for_any_number_of_threads_and_after_undoing(v
     }
 }
 
+/* A ring whose section is a square of edge 1: four sharp circles of 48 edges. */
+enum { around = 48, across = 4, ring_points = around * 4 * across };
+
+static amst_mesh *new_ring(amst_context *ctx) {
+    double *points = memory(3 * ring_points * sizeof(double));
+    int32_t *faces = memory(4 * ring_points * sizeof(int32_t));
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < 4 * across; ++j) {
+            const double angle = 2 * acos(-1) * i / around, step = (double)(j % across) / across;
+            const double x[] = {step, 1, 1 - step, 0}, z[] = {0, step, 1, 1 - step};
+            double *p = points + 3 * (i * 4 * across + j);
+            p[0] = (3 + x[j / across]) * cos(angle);
+            p[1] = (3 + x[j / across]) * sin(angle);
+            p[2] = z[j / across];
+            int32_t *face = faces + 4 * (i * 4 * across + j);
+            const int next = (i + 1) % around, up = (j + 1) % (4 * across);
+            face[0] = i * 4 * across + j;
+            face[1] = next * 4 * across + j;
+            face[2] = next * 4 * across + up;
+            face[3] = i * 4 * across + up;
+        }
+    amst_mesh *mesh = NULL;
+    must(amst_mesh_create(ctx, 3, points, ring_points, 0, 0, faces, ring_points, 0, 0, 4, NULL, &mesh));
+    int64_t n_features;
+    must(amst_mesh_detect_features(mesh, 40, &n_features));
+    assert_int_equal(n_features, 4 * around);
+    free(points);
+    free(faces);
+    return mesh;
+}
+
+/* How far the vertices of features are from the circles' polygons of the beginning, at most. */
+static double off_polygons(const amst_mesh *mesh) {
+    int64_t n_edges, needed;
+    must(amst_mesh_get_count(mesh, AMST_EDGE, &n_edges));
+    amst_id *edges = memory(2 * (size_t)n_edges * sizeof(amst_id));
+    int32_t *flags = memory((size_t)n_edges * sizeof(int32_t));
+    must(amst_mesh_get_edges(mesh, edges, 2 * n_edges, &needed));
+    must(amst_mesh_get_flags(mesh, AMST_EDGE, flags, n_edges, &needed));
+    double *points = points_of(mesh), far = 0;
+    const double half = acos(-1) / around;
+    for (int64_t k = 0; k < 2 * n_edges; ++k) {
+        if ((flags[k / 2] & AMST_FLAG_FEATURE) == 0)
+            continue;
+        const double *p = points + 3 * edges[k];
+        double angle = fmod(atan2(p[1], p[0]) + 4 * acos(-1), 2 * half);
+        const double apothem = hypot(p[0], p[1]) * cos(angle - half) / cos(half); /* radius, if on an edge */
+        far = fmax(far, fmin(fabs(apothem - 3), fabs(apothem - 4)));
+        far = fmax(far, fmin(fabs(p[2]), fabs(p[2] - 1)));
+    }
+    free(points);
+    free(edges);
+    free(flags);
+    return far;
+}
+
+static void features_are_coarsened_and_refined_on_their_curve(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = new_ring(ctx);
+    amst_options *options = NULL;
+    must(amst_options_create(&options));
+    must(amst_options_set_int(options, AMST_OPT_EDIT_BOUNDARY, 1));
+    int64_t faces;
+    const double alphas[] = {0.5, 0.5, 4};
+    const int64_t wanted[] = {ring_points / 2, ring_points / 4, ring_points};
+    for (int i = 0; i < 3; ++i) {
+        assert_int_equal(amst_adapt(mesh, NULL, alphas[i], options, NULL), AMST_OK);
+        must(amst_mesh_get_count(mesh, AMST_FACE, &faces));
+        assert_int_equal(faces, wanted[i]);
+        assert_true(off_polygons(mesh) < 1e-9);
+        assert_true(worst_scaled_jacobian(mesh) > 0.3);
+    }
+    assert_true(count_features(mesh) > 4 * around / 2);
+    amst_options_destroy(options);
+    amst_mesh_destroy(mesh);
+    amst_context_destroy(ctx);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(smoothing_spreads_vertices_along_features),
+        cmocka_unit_test(features_are_coarsened_and_refined_on_their_curve),
         cmocka_unit_test(what_is_fixed_or_flagged_otherwise_stays),
         cmocka_unit_test(the_result_is_the_same_for_any_number_of_threads_and_after_undoing),
     };

@@ -56,7 +56,7 @@ TEST(FeatureLine, VerticesNeverPassTheirNeighbours) {
 TEST(FeatureLine, HoldsWhatIsStrictlyBetween) {
     const std::vector<Vector3d> points{{2, 0, 0}, {4, 0, 0}};
     const surface::Line line{{0, 0, 0}, {10, 0, 0}};
-    for (const FeatureLine &feature_line : {FeatureLine{line, {0, 1}}, FeatureLine{line, {1, 0}}}) {
+    for (const FeatureLine &feature_line : {FeatureLine{{line}, {0, 1}}, FeatureLine{{line}, {1, 0}}}) {
         EXPECT_TRUE(feature_line);
         EXPECT_TRUE(feature_line.holds({3, 0, 0}, points));
         EXPECT_FALSE(feature_line.holds({2, 0, 0}, points));
@@ -65,6 +65,22 @@ TEST(FeatureLine, HoldsWhatIsStrictlyBetween) {
         EXPECT_FALSE(feature_line.holds({1, 0, 0}, points));
     }
     EXPECT_FALSE(FeatureLine{});
+}
+
+TEST(FeatureLine, GoesAroundBendsThatEdgesDoNotMiss) {
+    const std::vector<surface::Line> lines{{{0, 0, 0}, {4, 0, 0}}, {{4, 0, 0}, {8, 2, 0}}};
+    const std::vector<Vector3d> points{{2, 0, 0}, {6, 1, 0}};
+    FeatureLine line{lines, {0, 1}, 0.12};
+    EXPECT_EQ(line.place({3, -1, 0}), 0.75);
+    EXPECT_EQ(line.at(0.75), Vector3d(3, 0, 0));
+    EXPECT_EQ(line.at(1.5), Vector3d(6, 1, 0));
+    EXPECT_NEAR(line.place({6, 1, 3}), 1.5, 1e-14);
+    EXPECT_TRUE(line.holds({4, 0, 0}, points));
+    EXPECT_TRUE(line.holds({3, 0, 0}, points)); // the bend is .1 of the other edge off it
+    EXPECT_FALSE(line.holds({6.4, 1.2, 0}, points));
+    line.tolerance = 0.05;
+    EXPECT_TRUE(line.holds({3.9, 0, 0}, points));
+    EXPECT_FALSE(line.holds({3, 0, 0}, points));
 }
 
 } // namespace

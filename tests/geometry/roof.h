@@ -43,7 +43,7 @@ struct Roof {
                 if (i != across / 2 || j == 0 || j == along)
                     continue;
                 fixed[at(vertex(i, j))] = 0;
-                feature_lines[at(vertex(i, j))] = {ridge, {vertex(i, j - 1), vertex(i, j + 1)}};
+                feature_lines[at(vertex(i, j))] = {{ridge}, {vertex(i, j - 1), vertex(i, j + 1)}};
             }
     }
     static std::function<Vector3d(double, double)> place(double degrees) {

@@ -48,7 +48,7 @@ TEST(Unfold, NeedsAllQuadsAround) {
     unfold(stars.at(vertex(2, 3)), roof.on_surface.points, vertex(2, 3), roof.feature_lines[at(vertex(2, 3))],
            sectors, flat);
     EXPECT_TRUE(sectors.empty());
-    const FeatureLine wrong{roof.feature_lines[at(vertex(2, 2))].line,
+    const FeatureLine wrong{roof.feature_lines[at(vertex(2, 2))].lines,
                             {vertex(2, 1), vertex(2, 4)}}; // no neighbour
     unfold(stars.at(vertex(2, 2)), roof.on_surface.points, vertex(2, 2), wrong, sectors, flat);
     EXPECT_TRUE(sectors.empty());

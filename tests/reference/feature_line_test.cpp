@@ -9,6 +9,7 @@
 #include "adapt/run.h"
 #include "mesh/curved.h"
 #include "mesh/feature.h"
+#include "patch/region.h"
 #include "reference/locate.h"
 #include "reference/reference.h"
 #include "reference/surface_of.h"
@@ -139,7 +140,8 @@ TEST(FeatureLines, AreTheStraightEdgesOfABox) {
         if (!feature_line)
             continue;
         ++found;
-        EXPECT_NEAR((feature_line.line.end - feature_line.line.start).norm(), box.axis(v) + 1, 1e-14);
+        ASSERT_EQ(feature_line.lines.size(), 1u);
+        EXPECT_NEAR((feature_line.lines[0].end - feature_line.lines[0].start).norm(), box.axis(v) + 1, 1e-14);
         for (const int w : feature_line.between)
             EXPECT_EQ(box.mesh.edge_flags[at(box.mesh.find_edge(v, w))], mesh::feature);
     }
@@ -400,6 +402,93 @@ TEST(FeatureLines, FixedVerticesStayFolded) {
     const auto before = box.mesh.checksum();
     straighten(box.mesh);
     EXPECT_EQ(box.mesh.checksum(), before);
+}
+
+// A ring whose section is a square: its features are four circles of 48 edges, bunched at one side.
+struct SquareRing {
+    static constexpr int around = 48, across = 4, up = 4 * across;
+    mesh::QuadMesh mesh = mesh::grid(
+        around, up,
+        [](double u, double v) {
+            const double side = 4 * v, x = side - std::floor(side);
+            // Inside of the sides, vertices are pushed about, so that smoothing has something to gain.
+            const double pushed = x > 0 ? 0.006 * std::sin(1000 * u + 300 * v) : 0;
+            const double angle =
+                2 * std::numbers::pi * (u + pushed) + 0.6 * std::sin(2 * std::numbers::pi * (u + pushed));
+            const std::array<Eigen::Vector2d, 5> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+            const auto k = static_cast<std::size_t>(std::min(3.0, std::floor(side)));
+            const Eigen::Vector2d p = (1 - x) * corners[k] + x * corners[k + 1];
+            return Vector3d((3 + p.x()) * std::cos(angle), (3 + p.x()) * std::sin(angle), p.y());
+        },
+        true, true);
+
+    SquareRing() { flag_features(mesh); }
+
+    std::vector<double> lengths() const {
+        std::vector<double> all;
+        for (int e = 0; e < mesh.n_edges(); ++e)
+            if (mesh.edge_flags[at(e)] != 0) {
+                const auto [v, w] = mesh.edge_vertices(e);
+                all.push_back((point_of(mesh, w) - point_of(mesh, v)).norm() /
+                              point_of(mesh, v).head<2>().norm());
+            }
+        return all;
+    }
+    double unevenness() const {
+        const std::vector<double> all = lengths();
+        return *std::ranges::max_element(all) / *std::ranges::min_element(all);
+    }
+};
+
+Settings editing() {
+    Settings settings;
+    settings.edit_boundary = true;
+    return settings;
+}
+
+TEST(FeatureLines, GoAroundBendsWhereTheBoundaryMayChange) {
+    SquareRing ring;
+    ring.mesh.curves = reference::curves_of(ring.mesh);
+    EXPECT_TRUE(feature_lines_of(ring.mesh).empty());
+    const auto lines = feature_lines_of(ring.mesh, bend_tolerance(editing()));
+    EXPECT_EQ(std::ranges::count_if(lines, [](const auto &line) { return bool(line); }), 4 * ring.around);
+}
+
+TEST(FeatureLines, VerticesSlideAroundBends) {
+    SquareRing ring;
+    const SquareRing before = ring;
+    EXPECT_GT(ring.unevenness(), 3.8);
+    smooth::smooth(ring.mesh, nullptr, {}, silent);
+    EXPECT_EQ(ring.lengths(), before.lengths()); // unless they may, they do not
+    const auto curves = ring.mesh.curves;
+    for (int i = 0; i < 4; ++i)
+        smooth::smooth(ring.mesh, nullptr, editing(), silent);
+    EXPECT_EQ(ring.mesh.curves, curves); // that of the beginning, not of its edges now
+    EXPECT_LT(ring.unevenness(), 3);
+    for (int v = 0; v < ring.mesh.n_vertices(); ++v)
+        if (patch::slide(ring.mesh, v)) {
+            EXPECT_GE(curves->find(std::array{point_of(ring.mesh, v)}), 0); // to rounding
+        }
+}
+
+TEST(FeatureLines, TakeMiddlesOfEdgesToTheCurve) {
+    SquareRing ring;
+    ring.mesh.curves = reference::curves_of(ring.mesh);
+    const auto find = [&](int v) { return ring.mesh.curves->find(std::array{point_of(ring.mesh, v)}); };
+    int moved = 0;
+    for (int v = 0; v < ring.mesh.n_vertices(); ++v)
+        if (const auto others = patch::slide(ring.mesh, v);
+            others && moved < 5 && find((*others)[0]) >= 0 && find((*others)[1]) >= 0) {
+            ring.mesh.set_point(v, (ring.mesh.point((*others)[0]) + ring.mesh.point((*others)[1])) / 2);
+            EXPECT_LT(find(v), 0);
+            ++moved;
+        }
+    ASSERT_EQ(moved, 5);
+    keep_to_curves(ring.mesh);
+    for (int v = 0; v < ring.mesh.n_vertices(); ++v)
+        if (patch::slide(ring.mesh, v)) {
+            EXPECT_GE(find(v), 0);
+        }
 }
 
 } // namespace

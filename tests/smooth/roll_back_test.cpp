@@ -79,7 +79,7 @@ TEST(RollBack, VerticesThatWerePassedComeBack) {
     sheet.moved = sheet.start;
     const int one = 5 * row + 5;
     std::vector<geometry::FeatureLine> lines(sheet.start.points.size());
-    lines[at(one)].line = {sheet.start.points[at(one - 1)], sheet.start.points[at(one + 1)]};
+    lines[at(one)].lines = {{sheet.start.points[at(one - 1)], sheet.start.points[at(one + 1)]}};
     lines[at(one)].between = {one - 1, one + 1};
     sheet.moved.points[at(one)] += Eigen::Vector3d(0.5, 0, 0);
     geometry::SurfacePositions good = sheet.moved;

@@ -158,5 +158,64 @@ TEST(Curves, ToleratePointsAtOnePlace) {
     EXPECT_EQ(Curves(one, Edges{{0, 1}, {1, 2}, {2, 0}}, tolerance).find(one), 0);
 }
 
+// 24 edges: it turns by 15 degrees at each point.
+std::vector<Vector3d> ring() {
+    std::vector<Vector3d> points;
+    for (int i = 0; i < 24; ++i)
+        points.emplace_back(std::cos(std::numbers::pi * i / 12), std::sin(std::numbers::pi * i / 12), 0.5);
+    return points;
+}
+
+TEST(Curves, LeadAroundBendsByTheShorterWay) {
+    const std::vector<Vector3d> points = ring();
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const Curves curves(points, shuffled_way(24, true, seed), tolerance);
+        ASSERT_EQ(curves.lines().size(), 24u);
+        for (const auto &[from, to] : {std::pair(22, 1), std::pair(1, 22)}) {
+            const Vector3d start = (points[22] + points[23]) / 2;
+            const Vector3d a = from == 22 ? start : points[1], b = from == 22 ? points[1] : start;
+            const std::vector<Line> way = curves.way(a, b);
+            ASSERT_EQ(way.size(), 3u) << seed;
+            EXPECT_TRUE(joins(way[0], points[from == 22 ? 22 : 0], points[from == 22 ? 23 : 1]));
+            for (std::size_t i = 0; i + 1 < way.size(); ++i)
+                EXPECT_EQ(way[i].end, way[i + 1].start);
+        }
+        EXPECT_EQ(curves.way(points[3], points[4]).size(), 1u);
+        EXPECT_EQ(curves.lines_between(points[3], points[4]).size(), 1u);
+        EXPECT_EQ(curves.lines_between(points[3], points[6]).size(), 3u);
+        EXPECT_TRUE(curves.way(points[0], points[11]).empty()); // half around is a detour
+        EXPECT_TRUE(curves.way(points[0], {0, 0, 0}).empty());
+    }
+}
+
+TEST(Curves, LeadThroughAPointAndBeyond) {
+    const std::vector<Vector3d> points = ring();
+    const Curves curves(points, shuffled_way(24, true, 3), tolerance);
+    for (const Vector3d &between : {points[5], Vector3d(0.3 * points[5] + 0.7 * points[6])}) {
+        const std::vector<Line> way = curves.way_through(points[4], between, points[7]);
+        ASSERT_GE(way.size(), 5u);
+        bool found = false;
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            if (i > 0) {
+                EXPECT_EQ(way[i - 1].end, way[i].start);
+            }
+            found |= joins(way[i], points[4], points[5]) && i > 0; // it goes on before
+        }
+        EXPECT_TRUE(found);
+        EXPECT_LT((way.front().start - points[4]).norm(), (way.front().end - points[7]).norm());
+    }
+    EXPECT_TRUE(curves.way_through(points[4], points[8], points[6]).empty());
+}
+
+TEST(Curves, EndAtCornersAndWhereThreeMeet) {
+    // 40 degrees at point 1; three edges at point 3.
+    const std::vector<Vector3d> points{{0, 0, 0},     {1, 0, 0},   {1.77, 0.64, 0},
+                                       {2.5, 1.3, 0}, {3.2, 2, 0}, {2, 2, 0}};
+    const Curves curves(points, Edges{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {3, 5}}, tolerance);
+    EXPECT_TRUE(curves.way(points[0], points[2]).empty());
+    EXPECT_EQ(curves.way(points[1], points[3]).size(), 2u);
+    EXPECT_TRUE(curves.way(points[2], points[4]).empty());
+}
+
 } // namespace
 } // namespace alphamst::surface
