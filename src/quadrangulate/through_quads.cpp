@@ -99,7 +99,7 @@ private:
     void cut_all() {
         const std::size_t n = paired_.cut.origin.size();
         paired_.sides = {std::vector<std::int32_t>(4 * n, -1), std::vector<Bar>(4 * n, Bar::none),
-                         paired_.cut.diagonals};
+                         paired_.cut.diagonals, std::move(paired_.sides.held)};
         Pairing before = std::exchange(paired_.pairing, {});
         choices().resize(n);
         for (std::size_t f = 0; f < n_given_; ++f) {
