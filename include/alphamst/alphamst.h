@@ -412,14 +412,16 @@ AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
  * (legacy); path is UTF-8. dim is 2 when every z is 0. Triangles become quads as in amst_mesh_create; none is
  * merged with one of another region or over an edge with a marker, the halves of such an edge keep its
  * marker, and vertices with a marker keep their faces.
- *  .msh  Markers of points, edges and faces are the numbers of physical groups, whose names are kept; of
- *        several groups the smallest number counts, and AMST_LOG_WARNING tells. If no line is in a group,
- * edges have the numbers of their curves. .su2  The boundaries get the markers 1, 2, ... in the order of the
- * file, and their tags as names. Clockwise faces are turned over. .vtk  Markers of faces, lines and vertex
- * cells are the first of these of the cells that is there, in whole numbers: "marker", "gmsh:physical",
- * "medit:ref", "cell_tags", "MaterialIds", "RegionId", "CellEntityIds", the last not of vertex cells. A line
- * with a marker that is no edge of a face, and a point that no face has, are left out. AMST_LOG_WARNING
- * tells, and the result is AMST_PARTIAL, unless it was the number of a curve.
+ *  .msh  Markers of points, edges and faces are the numbers of physical groups, whose names are kept. Of
+ *        several groups the smallest number counts, and AMST_LOG_WARNING tells. If no line is in a
+ *        group, edges have the numbers of their curves.
+ *  .su2  The boundaries get the markers 1, 2, ... in the order of the file, and their tags as names.
+ *        Clockwise faces are turned over.
+ *  .vtk  Markers of faces, lines and vertex cells are the first of these data of cells that is there, in
+ *        whole numbers: "marker", "gmsh:physical", "medit:ref", "cell_tags", "MaterialIds", "RegionId",
+ *        "CellEntityIds", the last not of vertex cells.
+ * A line with a marker that is no edge of a face is left out, and so is a point that no face has.
+ * AMST_LOG_WARNING tells, and the result is AMST_PARTIAL, unless it was the number of a curve.
  * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of amst_mesh_create. */
 AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                                     amst_mesh **out);
@@ -429,7 +431,7 @@ AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const a
  * farther it is below or above 0. A curved mesh is shaded, and what lies behind it is left out. .msh keeps
  * all markers and names; .vtk markers, as "marker" of cells; .su2 markers of edges, named by their numbers
  * where they have no name; the others none. AMST_LOG_WARNING tells what is left out. A failure leaves no
- * half-written file. Errors: IO, UNSUPPORTED (extension; .su2 of dim 3). */
+ * half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, markers, fields and revision, without savepoints. */
 AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);

@@ -31,11 +31,16 @@ public:
         if (n_ > most)
             return;
         list_ += n_ == 1 ? ": " : ", ";
-        for (const std::int32_t &v : vertices)
-            list_ += (&v == vertices.data() ? "" : "-") + std::to_string(number_(v));
-        const char *before = " (";
-        for (const std::int32_t marker : markers)
-            list_ += std::exchange(before, ", ") + std::to_string(marker);
+        const char *before = "";
+        for (const std::int32_t v : vertices) {
+            list_ += std::exchange(before, "-");
+            list_ += std::to_string(number_(v));
+        }
+        before = " (";
+        for (const std::int32_t marker : markers) {
+            list_ += std::exchange(before, ", ");
+            list_ += std::to_string(marker);
+        }
         list_ += ")";
     }
     void say(const char *text, Arrays &mesh) const {

@@ -81,11 +81,11 @@ public:
         while (!scan_.at_end()) {
             const std::string_view section = scan_.word();
             if (section == "$PhysicalNames")
-                read_groups(section, &Groups::read_names);
+                read_groups(section, &PhysicalGroups::read_names);
             else if (section == "$Entities" && major_ == 4)
-                read_groups(section, &Groups::read_entities);
+                read_groups(section, &PhysicalGroups::read_entities);
             else if (section == "$PartitionedEntities" && major_ == 4)
-                read_groups(section, &Groups::read_partitions);
+                read_groups(section, &PhysicalGroups::read_partitions);
             else if (section == names().nodes)
                 major_ == 4 ? read_nodes_4() : read_nodes_2();
             else if (section == names().elements)
@@ -154,7 +154,7 @@ private:
         scan_.malformed("the section " + quoted(section) + " has no end");
     }
 
-    void read_groups(std::string_view section, void (Groups::*read)(Scanner &)) {
+    void read_groups(std::string_view section, void (PhysicalGroups::*read)(Scanner &)) {
         (groups_.*read)(scan_);
         expect_word("$End" + std::string(section.substr(1)));
     }
@@ -326,7 +326,7 @@ private:
     int major_ = 2; // version
     bool nodes_ = false, elements_ = false;
     Numbering numbering_;
-    Groups groups_;
+    PhysicalGroups groups_;
     std::vector<Arrays::MarkedEdge> curves_; // lines in no group, with the tags of their curves
     Arrays mesh_;
 };

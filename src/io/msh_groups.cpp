@@ -19,7 +19,7 @@ std::int32_t small_tag(const Scanner &at, std::int64_t tag) {
 }
 
 // dimension, number, "name". Version 2.0 has no dimension, so that nobody knows whose name it is.
-void Groups::read_names(Scanner &scan) {
+void PhysicalGroups::read_names(Scanner &scan) {
     const std::int64_t n = scan.count("names", 4);
     scan.line();
     for (std::int64_t i = 0; i < n; ++i) {
@@ -42,7 +42,7 @@ void Groups::read_names(Scanner &scan) {
 }
 
 // Behind the coordinates, or those of the box; the rest of the line is passed over.
-std::vector<std::int32_t> Groups::read_groups(Scanner &scan, int dim) {
+std::vector<std::int32_t> PhysicalGroups::read_groups(Scanner &scan, int dim) {
     for (int k = dim == 0 ? 3 : 6; k > 0; --k)
         scan.real();
     std::vector<std::int32_t> groups;
@@ -57,7 +57,7 @@ std::vector<std::int32_t> Groups::read_groups(Scanner &scan, int dim) {
     return groups;
 }
 
-void Groups::read_entities(Scanner &scan) {
+void PhysicalGroups::read_entities(Scanner &scan) {
     std::array<std::int64_t, 4> n{};
     for (std::int64_t &count : n)
         count = scan.count("entities", 8);
@@ -68,7 +68,7 @@ void Groups::read_entities(Scanner &scan) {
         }
 }
 
-void Groups::read_partitions(Scanner &scan) {
+void PhysicalGroups::read_partitions(Scanner &scan) {
     partitioned_ = true;
     scan.integer(); // the number of parts
     const std::int64_t n_ghosts = scan.count("ghost entities", 4);
@@ -91,7 +91,7 @@ void Groups::read_partitions(Scanner &scan) {
         }
 }
 
-Names Groups::names() const {
+Names PhysicalGroups::names() const {
     if (!partitioned_)
         return names_;
     std::set<std::pair<Entity, std::int32_t>> whole;
@@ -103,7 +103,7 @@ Names Groups::names() const {
     return names;
 }
 
-std::vector<std::int32_t> Groups::of(std::int64_t dim, std::int64_t entity) const {
+std::vector<std::int32_t> PhysicalGroups::of(std::int64_t dim, std::int64_t entity) const {
     const auto part = parents_.find({dim, entity});
     if (part != parents_.end() && part->second.first != dim)
         return {}; // a border between parts
@@ -111,7 +111,7 @@ std::vector<std::int32_t> Groups::of(std::int64_t dim, std::int64_t entity) cons
     return found == groups_.end() ? std::vector<std::int32_t>() : found->second;
 }
 
-std::int64_t Groups::whole_curve(std::int64_t entity) const {
+std::int64_t PhysicalGroups::whole_curve(std::int64_t entity) const {
     const auto part = parents_.find({1, entity});
     if (part == parents_.end())
         return entity;

@@ -12,7 +12,7 @@
 namespace alphamst::io {
 
 // Each read_ begins behind the word that opens its section and ends before the one that closes it.
-class Groups {
+class PhysicalGroups {
 public:
     void read_names(Scanner &scan);
     void read_entities(Scanner &scan);   // of MSH 4.1

@@ -12,7 +12,7 @@ using samples::failure_of;
 
 Names names_of(const std::string &text) {
     Scanner scan(text);
-    Groups groups;
+    PhysicalGroups groups;
     groups.read_names(scan);
     EXPECT_EQ(scan.word(), "$EndPhysicalNames");
     return groups.names();
@@ -42,8 +42,9 @@ const std::string parts =
     "$EndPartitionedEntities\n";
 
 TEST(MshGroups, PartsAreInTheGroupsOfTheWhole) {
-    Scanner scan(entities + parts);
-    Groups groups;
+    const std::string text = entities + parts;
+    Scanner scan(text);
+    PhysicalGroups groups;
     scan.word();
     groups.read_entities(scan);
     EXPECT_EQ(scan.word(), "$EndEntities");

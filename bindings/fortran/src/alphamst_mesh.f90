@@ -52,9 +52,12 @@ module alphamst_mesh
         !> Faces are of kind int32; for int64 it is create_strided_int64.
         procedure :: create_strided, create_strided_int64
         !> read(context, path [, options]): .off .obj .ply .msh .su2 .vtk; dim is 2 when every z is 0.
+        !> Numbers of points, boundaries and regions are markers, with their names; the log tells what could
+        !> not be kept, and stat is AMST_PARTIAL if something with a number is not in the mesh.
         !> Errors: IO, FORMAT, UNSUPPORTED and those of create.
         procedure :: read => read_file
-        !> write(path): the same formats without .su2, and .svg. Errors: IO, UNSUPPORTED.
+        !> write(path): the same formats, and .svg. All markers and names are kept by .msh; the log tells what
+        !> another format has no place for. Errors: IO, UNSUPPORTED.
         procedure :: write => write_file
         !> clone(copy): as copy = mesh, with stat and errmsg.
         procedure :: clone

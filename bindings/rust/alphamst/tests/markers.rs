@@ -29,7 +29,7 @@ fn names_are_kept_in_copies_and_files() {
     mesh.set_marker_name(Entity::Edge, 7, "Überlauf 1").unwrap();
     let path = std::env::temp_dir().join(format!("alphamst_markers_{}.msh", std::process::id()));
     mesh.write(&path).unwrap();
-    let back = Mesh::read(&context, &path).unwrap();
+    let back = Mesh::read(&context, &path, None).unwrap();
     std::fs::remove_file(&path).unwrap();
     for same in [&mesh.clone(), &back] {
         assert_eq!(same.marker_name(Entity::Edge, 7), "Überlauf 1");
