@@ -100,7 +100,7 @@ enum amst_status_code {
     AMST_ERR_ARGUMENT = -2, /* other unacceptable argument */
     AMST_ERR_NULL = -1,     /* required pointer is NULL */
     AMST_OK = 0,
-    AMST_PARTIAL = 1, /* done, but some patch was left or missed alpha */
+    AMST_PARTIAL = 1, /* done, but some patch was left or missed alpha, or a marker of a file was left out */
     AMST_STATUS_MAX = 0x7fffffff
 };
 
@@ -282,7 +282,8 @@ enum amst_log_level {
     AMST_LOG_ERROR = 0,
     AMST_LOG_WARNING = 1, /* patches that were left or missed their count, and why; options
                              without effect; sharp edges within quads of new meshes, and their
-                             boundary edges that got a vertex */
+                             boundary edges that got a vertex; markers that a file has and the mesh cannot
+                             have, or the other way round */
     AMST_LOG_INFO = 2,    /* one line a stage, and what the operation came to */
     AMST_LOG_DEBUG = 3,   /* one line a cavity (patch or window): where, how large, how many candidates, why
                              those that were refused were, what was taken */
@@ -407,25 +408,32 @@ AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
                                           const int64_t *faces, int64_t n_faces, int64_t face_stride,
                                           int64_t corner_stride, int32_t corners_per_face,
                                           const amst_options *options, amst_mesh **out);
-/* Format by extension: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII) .su2 .vtk
- * (legacy); path is UTF-8. dim is 2 when every z is 0. Region numbers of faces and
- * boundary numbers of edges in .msh and .vtk files are kept and written again; the
- * boundaries of a .su2 file, which have names, get the numbers 1, 2, ... in the order
- * of the file, and its clockwise faces are turned over. Borders of regions and marked edges (those with a
- * boundary number) act as FEATURE. Triangles become quads as in amst_mesh_create; none is merged with one of
- * another region or over a marked edge, and the halves of such an edge keep its number.
- * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of
- * amst_mesh_create. */
+/* Format by extension: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII, also of partitioned meshes) .su2 .vtk
+ * (legacy); path is UTF-8. dim is 2 when every z is 0. Triangles become quads as in amst_mesh_create; none is
+ * merged with one of another region or over an edge with a marker, the halves of such an edge keep its
+ * marker, and vertices with a marker keep their faces.
+ *  .msh  Markers of points, edges and faces are the numbers of physical groups, whose names are kept. Of
+ *        several groups the smallest number counts, and AMST_LOG_WARNING tells. If no line is in a
+ *        group, edges have the numbers of their curves.
+ *  .su2  The boundaries get the markers 1, 2, ... in the order of the file, and their tags as names.
+ *        Clockwise faces are turned over.
+ *  .vtk  Markers of faces, lines and vertex cells are the first of these data of cells that is there, in
+ *        whole numbers: "marker", "gmsh:physical", "medit:ref", "cell_tags", "MaterialIds", "RegionId",
+ *        "CellEntityIds", the last not of vertex cells.
+ * A line with a marker that is no edge of a face is left out, and so is a point that no face has.
+ * AMST_LOG_WARNING tells, and the result is AMST_PARTIAL, unless it was the number of a curve.
+ * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of amst_mesh_create. */
 AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                                     amst_mesh **out);
-/* The same formats without .su2 (.msh is Gmsh 2.2), and .svg, a picture with the
- * singularities marked and, if there is an edge field "chord", with a line through each face
- * between opposite edges of equal value, whose colour the value chooses. Faces are blue or red if there is a
- * face field "size error" of 1 component, the more so the farther it is below or above 0. A curved mesh is
- * shaded, and what lies behind it is left out. A failure leaves no half-written file. Errors: IO, UNSUPPORTED
- * (extension). */
+/* The same formats (.msh is Gmsh 2.2), and .svg, a picture with the singularities marked and, if there is an
+ * edge field "chord", with a line through each face between opposite edges of equal value, whose colour the
+ * value chooses. Faces are blue or red if there is a face field "size error" of 1 component, the more so the
+ * farther it is below or above 0. A curved mesh is shaded, and what lies behind it is left out. .msh keeps
+ * all markers and names; .vtk markers, as "marker" of cells; .su2 markers of edges, named by their numbers
+ * where they have no name; the others none. AMST_LOG_WARNING tells what is left out. A failure leaves no
+ * half-written file. Errors: IO, UNSUPPORTED (extension). */
 AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
-/* A mesh of its own, with flags, fields and revision, without savepoints. */
+/* A mesh of its own, with flags, markers, fields and revision, without savepoints. */
 AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
 AMST_API void amst_mesh_destroy(amst_mesh *mesh);
 
@@ -474,13 +482,13 @@ AMST_API amst_status amst_mesh_get_singularities(const amst_mesh *mesh, amst_id 
  * flat. The first fault is in amst_last_error_where. */
 AMST_API amst_status amst_mesh_check(const amst_mesh *mesh);
 /* 64-bit digest of coordinates, connectivity, flags and markers; equal meshes,
- * equal digest. Fields are not in it. */
+ * equal digest. Fields and names of markers are not in it. */
 AMST_API amst_status amst_mesh_get_checksum(const amst_mesh *mesh, int64_t *digest);
 
 /* -------------------------------------------------------------------- flags */
 
 /* For the n given entities set the amst_flag bits in mask as they are in value. ids
- * NULL stands for all entities, whatever n is. The revision stays.
+ * NULL stands for all entities, whatever n is. Vertices with a marker stay CORNER. The revision stays.
  * Errors: ARGUMENT (entity), RANGE (id, n, bits that are no flag). */
 AMST_API amst_status amst_mesh_set_flags(amst_mesh *mesh, int32_t entity, const amst_id *ids, int64_t n,
                                          int32_t mask, int32_t value);
@@ -493,6 +501,36 @@ AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, 
  * than 60 degrees, but not right back: that is a fold. No flag is taken away; the revision stays. found, the
  * number of edges at more than angle, may be NULL. Errors: NOT_FINITE, RANGE (angle). */
 AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, int64_t *found);
+
+/* ------------------------------------------------------------------ markers */
+/* Numbers that say what belongs together: edges of a boundary or of a line inside, faces of a region, points.
+ * 0 is no marker, any other number is one; they are no ids, so the index base has no say in them. They are
+ * part of the mesh as its flags are, in the checksum, too, and come from files or from amst_mesh_set_markers.
+ * Edges with a marker and borders of regions act as FEATURE: every operation keeps these curves, and pieces
+ * of an edge or a face have the marker of the whole. Vertices with a marker are CORNER, which
+ * amst_mesh_set_flags does not change: they do not move and do not go.
+ * Each marker of each kind of entity may have a name, whether it is in use or not; names are part of the
+ * mesh, but not of the checksum. Which formats hold markers and names is said at amst_mesh_read. */
+
+/* The marker of the n given entities becomes value, 0: none. ids NULL stands for all entities, whatever n is.
+ * Vertices become CORNER if value is not 0, and stay it if it is. The revision stays.
+ * Errors: ARGUMENT (entity), RANGE (id, n). */
+AMST_API amst_status amst_mesh_set_markers(amst_mesh *mesh, int32_t entity, const amst_id *ids, int64_t n,
+                                           int32_t value);
+/* [count] marker of every vertex, edge or face, 0: none. Errors: ARGUMENT (entity). */
+AMST_API amst_status amst_mesh_get_markers(const amst_mesh *mesh, int32_t entity, int32_t *out,
+                                           int64_t capacity, int64_t *needed);
+/* The markers that some vertex, edge or face has, each once, ascending. Errors: ARGUMENT (entity). */
+AMST_API amst_status amst_mesh_get_marker_list(const amst_mesh *mesh, int32_t entity, int32_t *out,
+                                               int64_t capacity, int64_t *needed);
+/* name: UTF-8 without control characters and double quotes, ended by 0, copied; NULL or "" takes the name
+ * away. The revision stays. Errors: ARGUMENT (entity, marker 0, name). */
+AMST_API amst_status amst_mesh_set_marker_name(amst_mesh *mesh, int32_t entity, int32_t marker,
+                                               const char *name);
+/* The name with the 0 that ends it, which `needed` counts, too; "" if the marker has none.
+ * Errors: ARGUMENT (entity). */
+AMST_API amst_status amst_mesh_get_marker_name(const amst_mesh *mesh, int32_t entity, int32_t marker,
+                                               char *out, int64_t capacity, int64_t *needed);
 
 /* ------------------------------------------------------------------- fields */
 /* Named reals on every vertex, edge or face, [count][components], at most one field of
@@ -570,7 +608,7 @@ AMST_API amst_status amst_mesh_set_projection(amst_mesh *mesh, amst_projection_f
 
 /* ------------------------------------------------------------------ undoing */
 
-/* Remember the mesh: points, connectivity, flags, fields. Savepoints nest. revision
+/* Remember the mesh: points, connectivity, flags, markers, fields. Savepoints nest. revision
  * names the savepoint; of several with one name the latest is meant. Memory is taken
  * only when the mesh changes. */
 AMST_API amst_status amst_mesh_mark(amst_mesh *mesh, int64_t *revision);

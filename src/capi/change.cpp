@@ -119,9 +119,7 @@ Settings Change::settings(const Options &options) {
     if (context.log != nullptr)
         settings.log = std::make_shared<const Log>(Log{
             context.log_level, [this](int level, const std::string &message) {
-                const Context &context = *mesh_->context;
-                if (context.log != nullptr && level <= context.log_level) // a callback may have changed it
-                    context.log(context.log_user, level, (std::string(name_) + ": " + message).c_str());
+                mesh_->context->say(level, std::string(name_) + ": " + message); // it may have changed since
             }});
     if (settings.edit_boundary)
         reference::keep_boundary(*copy_, projection(), settings.tolerance);
@@ -216,12 +214,7 @@ void Change::record_first_remark(const std::vector<Outcome> &outcomes) const {
 void Change::log(const std::vector<Outcome> &outcomes, const std::vector<std::int32_t> &unused,
                  const Report &report) const {
     const Context &context = *mesh_->context;
-    if (context.log == nullptr)
-        return;
-    const auto say = [&](std::int32_t level, const std::string &message) {
-        if (level <= context.log_level)
-            context.log(context.log_user, level, message.c_str());
-    };
+    const auto say = [&](std::int32_t level, const std::string &message) { context.say(level, message); };
     for (std::size_t p = 0; p < outcomes.size(); ++p)
         if (const std::string text = remark(outcomes[p], p); !text.empty())
             say(AMST_LOG_WARNING, std::string(name_) + ": " + text);

@@ -10,6 +10,11 @@ void Context::require_idle() const {
         throw Failure(Fault::state, "an operation of this context is under way; a callback may only ask");
 }
 
+void Context::say(std::int32_t level, const std::string &message) const {
+    if (log != nullptr && level <= log_level)
+        log(log_user, level, message.c_str());
+}
+
 } // namespace alphamst::capi
 
 using namespace alphamst;

@@ -25,21 +25,25 @@ io::Arrays all_quad(const Context &context, io::Arrays arrays, const Options &op
         return arrays;
     for (const auto &[vertices, marker] : arrays.marked_edges)
         curves.push_back(vertices);
+    std::vector<std::int32_t> held;
+    for (const auto &[vertex, marker] : arrays.marked_points)
+        held.push_back(vertex);
     quadrangulate::QuadArrays quads = quads_of(
-        context, "amst_mesh_read", {arrays.points, arrays.faces, arrays.face_marker, curves}, options);
+        context, "amst_mesh_read", {arrays.points, arrays.faces, arrays.face_marker, curves, held}, options);
     changes = changes_in(quads);
-    io::Arrays result;
-    result.dim = arrays.dim;
-    result.curve_numbers = arrays.curve_numbers;
+    std::vector<std::int32_t> face_marker;
     if (!arrays.face_marker.empty())
         for (const std::int32_t face : quads.origin)
-            result.face_marker.push_back(arrays.face_marker[static_cast<std::size_t>(face)]);
+            face_marker.push_back(arrays.face_marker[static_cast<std::size_t>(face)]);
+    std::vector<io::Arrays::MarkedEdge> marked_edges;
     for (const auto &[vertices, marker] : arrays.marked_edges)
         for (const std::array<std::int32_t, 2> &piece : quadrangulate::pieces(quads, vertices))
-            result.marked_edges.push_back({piece, marker});
-    result.points = std::move(quads.points);
-    result.faces = std::move(quads.faces);
-    return result;
+            marked_edges.push_back({piece, marker});
+    arrays.face_marker = std::move(face_marker);
+    arrays.marked_edges = std::move(marked_edges);
+    arrays.points = std::move(quads.points);
+    arrays.faces = std::move(quads.faces);
+    return arrays;
 }
 
 mesh::QuadMesh mesh_of(const io::Arrays &arrays) {
@@ -50,12 +54,15 @@ mesh::QuadMesh mesh_of(const io::Arrays &arrays) {
     mesh.curve_numbers = arrays.curve_numbers;
     if (!arrays.marked_edges.empty())
         mesh.edge_marker.resize(static_cast<std::size_t>(mesh.n_edges()));
-    for (const auto &[vertices, marker] : arrays.marked_edges) {
-        const auto [v, w] = vertices;
-        const int edge = v >= 0 && w >= 0 && v < n && w < n ? mesh.find_edge(v, w) : -1;
-        if (edge >= 0) // else it is a line that no face has, such as an axis
-            mesh.edge_marker[static_cast<std::size_t>(edge)] = marker;
+    for (const auto &[vertices, marker] : arrays.marked_edges) // all are edges of faces
+        mesh.edge_marker[static_cast<std::size_t>(mesh.find_edge(vertices[0], vertices[1]))] = marker;
+    if (!arrays.marked_points.empty())
+        mesh.vertex_marker.resize(static_cast<std::size_t>(n));
+    for (const auto &[vertex, marker] : arrays.marked_points) {
+        mesh.vertex_marker[static_cast<std::size_t>(vertex)] = marker;
+        mesh.vertex_flags[static_cast<std::size_t>(vertex)] |= mesh::corner;
     }
+    mesh.names = arrays.names;
     return mesh;
 }
 
@@ -76,6 +83,10 @@ io::Arrays arrays_of(const mesh::QuadMesh &mesh) {
     for (std::size_t e = 0; e < mesh.edge_marker.size(); ++e)
         if (mesh.edge_marker[e] != 0)
             arrays.marked_edges.push_back({mesh.edge_vertices(static_cast<int>(e)), mesh.edge_marker[e]});
+    for (std::size_t v = 0; v < mesh.vertex_marker.size(); ++v)
+        if (mesh.vertex_marker[v] != 0)
+            arrays.marked_points.push_back({static_cast<std::int32_t>(v), mesh.vertex_marker[v]});
+    arrays.names = mesh.names;
     return arrays;
 }
 
@@ -117,6 +128,11 @@ void append_chords(std::vector<draw::Polyline> &lines, const mesh::QuadMesh &mes
     }
 }
 
+void say_all(const Context &context, const std::string &call, const std::vector<std::string> &remarks) {
+    for (const std::string &remark : remarks)
+        context.say(AMST_LOG_WARNING, call + ": " + remark);
+}
+
 bool is_picture(std::string_view path) {
     constexpr std::string_view extension = ".svg";
     return path.size() >= extension.size() &&
@@ -132,25 +148,31 @@ using namespace alphamst::capi;
 amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                            amst_mesh **out) {
     return guarded(index_base(ctx), [&] {
-        const std::shared_ptr<Context> &context = required(ctx, "ctx").impl;
+        const std::shared_ptr<Context> context = required(ctx, "ctx").impl; // whatever a callback destroys
         required(path, "path");
         amst_mesh *&created = required(out, "out");
         EdgeChanges changes;
-        std::shared_ptr<mesh::QuadMesh> mesh(
-            new mesh::QuadMesh(mesh_of(all_quad(*context, io::read(path), options_of(options), changes))));
+        const io::Arrays arrays = all_quad(*context, io::read(path), options_of(options), changes);
+        std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(mesh_of(arrays)));
         auto made = std::make_shared<Mesh>(context, std::move(mesh));
         made->at_creation = std::move(changes);
+        say_all(*context, "amst_mesh_read", arrays.remarks);
         created = new amst_mesh{std::move(made)};
+        if (arrays.left_out.empty())
+            return amst_status{AMST_OK};
+        record_remark(arrays.left_out, -1, context->index_base);
+        return amst_status{AMST_PARTIAL};
     });
 }
 
 amst_status amst_mesh_write(const amst_mesh *mesh, const char *path) {
     return guarded(index_base(mesh), [&] {
-        const mesh::QuadMesh &current = *required(mesh, "mesh").impl->current;
+        const std::shared_ptr<Mesh> written = required(mesh, "mesh").impl; // whatever a callback destroys
+        const mesh::QuadMesh &current = *written->current;
         required(path, "path");
         const io::Arrays arrays = arrays_of(current);
         if (!is_picture(path)) {
-            io::write(path, arrays);
+            say_all(*written->context, "amst_mesh_write", io::write(path, arrays));
             return;
         }
         draw::Picture picture = draw::picture(arrays);

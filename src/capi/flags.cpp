@@ -58,17 +58,17 @@ amst_status amst_mesh_set_flags(amst_mesh *mesh, std::int32_t entity, const amst
             for (std::int64_t i = 0; i < n; ++i)
                 in(base, ids[i], count, kind);
 
-        Flags &flags = target.writable().*flags_of(kind);
+        mesh::QuadMesh &flagged = target.writable();
+        Flags &flags = flagged.*flags_of(kind);
         flags.resize(static_cast<std::size_t>(count));
-        const auto set = [&](std::uint8_t &old) {
-            old = static_cast<std::uint8_t>((old & ~mask) | (value & mask));
+        const bool marked = kind == Entity::vertex && !flagged.vertex_marker.empty();
+        const auto set = [&](std::size_t i) {
+            flags[i] = static_cast<std::uint8_t>((flags[i] & ~mask) | (value & mask));
+            if (marked && flagged.vertex_marker[i] != 0)
+                flags[i] |= mesh::corner;
         };
-        if (ids == nullptr)
-            for (std::uint8_t &old : flags)
-                set(old);
-        else
-            for (std::int64_t i = 0; i < n; ++i)
-                set(flags[static_cast<std::size_t>(ids[i] - base)]);
+        for (std::int64_t i = 0; i < (ids == nullptr ? count : n); ++i)
+            set(static_cast<std::size_t>(ids == nullptr ? i : ids[i] - base));
     });
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "adapt/adapt.h"
@@ -33,6 +34,8 @@ struct Context {
 
     // Failure (state) while an operation is under way.
     void require_idle() const;
+    // To the caller's function, if he wants messages of this level.
+    void say(std::int32_t level, const std::string &message) const;
 };
 
 // Of the faces given, while quads were made of triangles.

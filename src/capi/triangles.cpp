@@ -73,8 +73,7 @@ quadrangulate::QuadArrays quads_of(const Context &context, const char *call,
     if (context.log == nullptr || options.quadrangulate == quadrangulate::Quadrangulation::split)
         return quads;
     const auto say = [&](std::int32_t level, const std::string &text) {
-        if (level <= context.log_level)
-            context.log(context.log_user, level, (std::string(call) + ": " + text).c_str());
+        context.say(level, std::string(call) + ": " + text);
     };
     const std::size_t n_given = polygons.points.size() / 3;
     if (!quads.crossed.empty())

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "names.h"
+
 namespace alphamst::io {
 
 struct Arrays {
@@ -20,16 +22,25 @@ struct Arrays {
     };
     std::vector<MarkedEdge> marked_edges; // boundary numbers, in file order
     bool curve_numbers = false;           // those are tags of curves of the model, which nobody named
+    struct MarkedPoint {
+        std::int32_t vertex, marker;
+    };
+    std::vector<MarkedPoint> marked_points;
+    Names names; // of markers
+
+    // Of a reader: sentences about markers of the file that are not here, and the first of them about
+    // markers that somebody gave to what is not in the mesh at all, or "".
+    std::vector<std::string> remarks;
+    std::string left_out;
 };
 
-// Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk; writing all but
-// .su2, and .svg. Throws Failure: io (cannot be opened, read or written), format (malformed,
-// with line number or byte offset in the sentence), unsupported (extension or
-// binary variant not known), not_quad (a face of neither three nor four corners),
-// range (a corner that is not a vertex of the file), not_finite.
+// Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk. Throws Failure: io (cannot be
+// opened, read or written), format (malformed, with line number or byte offset in the sentence), unsupported
+// (extension or binary variant not known), not_quad (a face of neither three nor four corners), range (a
+// corner that is not a vertex of the file), not_finite.
 Arrays read(const std::string &path);
-// Markers are kept by .msh, which is written as MSH 2.2, and .vtk. A failed write leaves
-// the file that was there. Throws likewise, and argument if the arrays do not fit together.
-void write(const std::string &path, const Arrays &mesh);
+// .msh is MSH 2.2. A failed write leaves the file that was there. Returns sentences about the markers that
+// the format does not keep. Throws likewise, and argument if the arrays do not fit together.
+std::vector<std::string> write(const std::string &path, const Arrays &mesh);
 
 } // namespace alphamst::io

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "failure.h"
 #include "io/arrays.h"
@@ -13,27 +14,33 @@
 namespace alphamst::io {
 namespace {
 
+// What a format has a place for.
+struct Keeps {
+    bool edges, faces_and_points, names; // markers of these, and what they are called
+};
+
 struct Format {
     std::string_view extension;
     Arrays (*parse)(std::string_view);
-    std::string (*print)(const Arrays &); // nullptr: not written
+    std::string (*print)(const Arrays &);
+    Keeps keeps;
 };
 
-constexpr std::array<Format, 6> formats{{{".off", parse_off, print_off},
-                                         {".obj", parse_obj, print_obj},
-                                         {".ply", parse_ply, print_ply},
-                                         {".msh", parse_msh, print_msh},
-                                         {".su2", parse_su2, nullptr},
-                                         {".vtk", parse_vtk, print_vtk}}};
+constexpr std::array<Format, 6> formats{{{".off", parse_off, print_off, {false, false, false}},
+                                         {".obj", parse_obj, print_obj, {false, false, false}},
+                                         {".ply", parse_ply, print_ply, {false, false, false}},
+                                         {".msh", parse_msh, print_msh, {true, true, true}},
+                                         {".su2", parse_su2, print_su2, {true, false, true}},
+                                         {".vtk", parse_vtk, print_vtk, {true, true, false}}}};
 
 std::string_view extension(std::string_view path) {
     const std::size_t dot = path.find_last_of("./\\");
     return dot == std::string_view::npos || path[dot] != '.' ? std::string_view() : path.substr(dot);
 }
 
-const Format &find(std::string_view path, bool written, const char *known) {
+const Format &find(std::string_view path, const char *known) {
     for (const Format &format : formats)
-        if (same_word(extension(path), format.extension) && (format.print != nullptr || !written))
+        if (same_word(extension(path), format.extension))
             return format;
     throw Failure(Fault::unsupported, "the extension " + quoted(extension(path)) + " is not one of " + known);
 }
@@ -56,19 +63,46 @@ void check(const Arrays &mesh) {
     for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
         if (!is_vertex(edge.vertices[0]) || !is_vertex(edge.vertices[1]))
             throw Failure(Fault::range, "a marked edge ends at no vertex");
+    for (const Arrays::MarkedPoint &point : mesh.marked_points)
+        if (!is_vertex(point.vertex))
+            throw Failure(Fault::range, "a marked point is no vertex");
+}
+
+// What of the mesh is not in a file of this format.
+std::vector<std::string> left_out(const Format &format, const Arrays &mesh) {
+    std::vector<std::string> remarks;
+    const auto say = [&](auto n, const char *things) {
+        if (n > 0)
+            remarks.push_back(std::string(format.extension) + " has no place for " + std::to_string(n) +
+                              things);
+    };
+    if (!format.keeps.edges)
+        say(mesh.marked_edges.size(), " markers of edges");
+    if (!format.keeps.faces_and_points) {
+        say(std::ranges::count_if(mesh.face_marker, [](std::int32_t marker) { return marker != 0; }),
+            " markers of faces");
+        say(mesh.marked_points.size(), " markers of vertices");
+    }
+    const auto kept = [&](const auto &name) {
+        return format.keeps.names && (name.first.first == Entity::edge || format.keeps.faces_and_points);
+    };
+    say(std::ranges::count_if(mesh.names, std::not_fn(kept)), " names of markers");
+    return remarks;
 }
 
 } // namespace
 
 Arrays read(const std::string &path) {
-    const Format &format = find(path, false, ".off, .obj, .ply, .msh, .su2, .vtk");
+    const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk");
     return format.parse(load(path));
 }
 
-void write(const std::string &path, const Arrays &mesh) {
-    const Format &format = find(path, true, ".off, .obj, .ply, .msh, .vtk, .svg");
+std::vector<std::string> write(const std::string &path, const Arrays &mesh) {
+    const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk, .svg");
     check(mesh);
+    std::vector<std::string> remarks = left_out(format, mesh);
     save(path, format.print(mesh));
+    return remarks;
 }
 
 void append_points(std::string &text, const Arrays &mesh, const char *start) {

@@ -21,15 +21,16 @@ Arrays parse_off(std::string_view bytes);
 Arrays parse_obj(std::string_view bytes);
 Arrays parse_ply(std::string_view bytes);
 Arrays parse_msh(std::string_view bytes);
-Arrays parse_su2(std::string_view bytes); // read only
+Arrays parse_su2(std::string_view bytes);
 Arrays parse_vtk(std::string_view bytes);
 
-// OFF, OBJ and PLY have no place for markers and drop them; VTK has them as the scalars
-// "marker" of its cells, marked edges being lines.
+// OFF, OBJ and PLY have no place for markers and drop them; SU2 has those of edges; VTK has all as the
+// scalars "marker" of its cells, marked edges being lines and marked points vertex cells.
 std::string print_off(const Arrays &mesh);
 std::string print_obj(const Arrays &mesh);
 std::string print_ply(const Arrays &mesh); // ASCII
 std::string print_msh(const Arrays &mesh); // MSH 2.2 ASCII
+std::string print_su2(const Arrays &mesh);
 std::string print_vtk(const Arrays &mesh); // legacy 3.0 ASCII
 
 // Lines "x y z" and "<start>a b c d", as most formats have them.

@@ -1,16 +1,16 @@
 // Gmsh's MSH (Geuzaine and Remacle 2009): reads 1, 2.x and 4.1, ASCII; writes 2.2,
-// which every program that reads MSH still reads. Lines become marked edges;
-// points are passed over. A marker is the physical tag; a line without one has the
-// tag of its curve instead, so that outlines of a model without physical groups
+// which every program that reads MSH still reads. Lines become marked edges, points
+// marked points. A marker is the physical tag; lines have the tags of their curves if
+// none has another one, so that outlines of a model without physical groups
 // keep their numbers.
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <limits>
-#include <map>
+#include <span>
 #include <utility>
 
 #include "io/formats.h"
+#include "io/markers.h"
+#include "io/msh_groups.h"
 #include "io/number.h"
 #include "io/scanner.h"
 
@@ -63,6 +63,10 @@ public:
         return at != tags_.end() && at->first == tag ? at->second : -1;
     }
 
+    std::int64_t tag_of(std::int32_t vertex) const {
+        return std::ranges::find(tags_, vertex, &std::pair<std::int64_t, std::int32_t>::second)->first;
+    }
+
 private:
     std::vector<std::pair<std::int64_t, std::int32_t>> tags_;
     bool ascending_ = true;
@@ -76,8 +80,12 @@ public:
         read_version();
         while (!scan_.at_end()) {
             const std::string_view section = scan_.word();
-            if (section == "$Entities" && major_ == 4)
-                read_entities();
+            if (section == "$PhysicalNames")
+                read_groups(section, &PhysicalGroups::read_names);
+            else if (section == "$Entities" && major_ == 4)
+                read_groups(section, &PhysicalGroups::read_entities);
+            else if (section == "$PartitionedEntities" && major_ == 4)
+                read_groups(section, &PhysicalGroups::read_partitions);
             else if (section == names().nodes)
                 major_ == 4 ? read_nodes_4() : read_nodes_2();
             else if (section == names().elements)
@@ -88,8 +96,12 @@ public:
         if (!nodes_ || !elements_)
             scan_.malformed("the file has no section " +
                             std::string(nodes_ ? names().elements : names().nodes));
-        if (std::all_of(mesh_.face_marker.begin(), mesh_.face_marker.end(), [](int m) { return m == 0; }))
-            mesh_.face_marker.clear();
+        mesh_.names = groups_.names();
+        if (mesh_.marked_edges.empty()) {
+            mesh_.marked_edges = std::move(curves_);
+            mesh_.curve_numbers = !mesh_.marked_edges.empty();
+        }
+        settle_markers(mesh_, [this](std::int32_t vertex) { return numbering_.tag_of(vertex); });
         return finished(std::move(mesh_));
     }
 
@@ -142,29 +154,9 @@ private:
         scan_.malformed("the section " + quoted(section) + " has no end");
     }
 
-    std::int32_t small(std::int64_t tag) const {
-        if (tag < std::numeric_limits<std::int32_t>::min() || tag > std::numeric_limits<std::int32_t>::max())
-            scan_.fail(Fault::unsupported, "the tag " + std::to_string(tag) + " does not fit in 32 bits");
-        return static_cast<std::int32_t>(tag);
-    }
-
-    // tag, bounding box, physical tags: all that is wanted of a curve or surface.
-    void read_entities() {
-        std::array<std::int64_t, 4> n{};
-        for (std::int64_t &count : n)
-            count = scan_.count("entities", 8);
-        for (int dim = 0; dim < 4; ++dim)
-            for (std::int64_t i = 0; i < n[static_cast<std::size_t>(dim)]; ++i) {
-                const std::int64_t tag = scan_.integer();
-                for (int k = dim == 0 ? 3 : 6; k > 0; --k)
-                    scan_.real();
-                // The sign of a physical tag is an orientation.
-                if (scan_.count("physical tags", 2) > 0)
-                    physical_[{dim, tag}] = std::abs(small(
-                        std::max<std::int64_t>(scan_.integer(), -std::numeric_limits<std::int32_t>::max())));
-                scan_.line();
-            }
-        expect_word("$EndEntities");
+    void read_groups(std::string_view section, void (PhysicalGroups::*read)(Scanner &)) {
+        (groups_.*read)(scan_);
+        expect_word("$End" + std::string(section.substr(1)));
     }
 
     void add_node(double x, double y, double z) { add_vertex(scan_, mesh_, x, y, z); }
@@ -231,27 +223,34 @@ private:
 
     std::int64_t n_faces() const { return static_cast<std::int64_t>(mesh_.faces.size() / 4); }
 
-    // The nodes of an element, from its first node to the end of its line.
-    void read_element(std::int64_t type, std::int32_t physical, std::int32_t entity) {
+    // The nodes of an element, from its first node to the end of its line. groups: those it is in;
+    // curve: that of a line.
+    void read_element(std::int64_t type, std::span<const std::int32_t> groups, std::int64_t curve) {
         if (is_line(type)) {
             const std::int32_t v = node("a line"), w = node("a line");
-            named_ = named_ || physical != 0;
-            if (const std::int32_t marker = physical != 0 ? physical : entity; marker != 0)
-                mesh_.marked_edges.push_back({{v, w}, marker});
-            mesh_.curve_numbers = !named_ && !mesh_.marked_edges.empty();
+            for (const std::int32_t group : groups)
+                mesh_.marked_edges.push_back({{v, w}, group});
+            if (const std::int32_t number = small_tag(scan_, curve); groups.empty() && number != 0)
+                curves_.push_back({{v, w}, number});
         } else if (type == triangle_type || type == quad_type) {
             std::int32_t face[4] = {-1, -1, -1, -1};
             for (std::int64_t k = 0; k < nodes_of(type); ++k)
                 face[k] = node(nullptr);
-            mesh_.faces.insert(mesh_.faces.end(), face, face + 4);
-            mesh_.face_marker.push_back(physical);
+            for (std::size_t i = 0; i < std::max<std::size_t>(groups.size(), 1); ++i) { // once for each
+                mesh_.faces.insert(mesh_.faces.end(), face, face + 4);
+                mesh_.face_marker.push_back(groups.empty() ? 0 : groups[i]);
+            }
         } else if (type != point_type) {
             scan_.fail(Fault::not_quad,
                        "face {} is of Gmsh's type " + std::to_string(type) +
                            ", not a triangle or quadrilateral of straight sides",
                        Entity::face, {n_faces()});
         } else {
-            scan_.integer();
+            if (groups.empty()) // any tag will do
+                scan_.integer();
+            else if (const std::int32_t vertex = node("a point"); vertex >= 0)
+                for (const std::int32_t group : groups)
+                    mesh_.marked_points.push_back({vertex, group});
         }
         if ((type == line_type || type == triangle_type || type == quad_type) && !scan_.at_line_end())
             scan_.malformed("an element has too many nodes: " + quoted(scan_.word()));
@@ -274,12 +273,13 @@ private:
         for (std::int64_t i = 0; i < n; ++i) {
             scan_.integer();
             const std::int64_t type = scan_.integer();
-            const std::int32_t physical = small(scan_.integer()), entity = small(scan_.integer());
+            const std::int32_t group = small_tag(scan_, scan_.integer());
+            const std::int64_t curve = scan_.integer();
             const std::int64_t n_nodes = scan_.integer(), n_wanted = nodes_of(type);
             if (n_wanted != 0 && n_nodes != n_wanted)
                 scan_.malformed("an element of type " + std::to_string(type) + " has " +
                                 std::to_string(n_nodes) + " nodes, not " + std::to_string(n_wanted));
-            read_element(type, physical, entity);
+            read_element(type, groups_of(group), curve);
         }
     }
 
@@ -288,11 +288,12 @@ private:
         for (std::int64_t i = 0; i < n; ++i) {
             scan_.integer();
             const std::int64_t type = scan_.integer(), n_tags = scan_.count("tags", 2);
-            std::array<std::int32_t, 2> tags{}; // physical, elementary; partitions follow
+            std::array<std::int64_t, 2> tags{}; // physical, elementary; partitions follow
             for (std::int64_t k = 0; k < n_tags; ++k)
                 if (const std::int64_t tag = scan_.integer(); k < 2)
-                    tags[static_cast<std::size_t>(k)] = small(tag);
-            read_element(type, tags[0], tags[1]);
+                    tags[static_cast<std::size_t>(k)] = tag;
+            const std::int32_t group = small_tag(scan_, tags[0]);
+            read_element(type, groups_of(group), tags[1]);
         }
     }
 
@@ -303,10 +304,11 @@ private:
         for (std::int64_t block = 0; block < n_blocks; ++block) {
             const std::int64_t dim = scan_.integer(), entity = scan_.integer(), type = scan_.integer();
             const std::int64_t size = scan_.count("elements", 4);
-            const auto physical = physical_.find({dim, entity});
+            const std::vector<std::int32_t> groups = groups_.of(dim, entity);
+            const std::int64_t curve = groups_.whole_curve(entity);
             for (std::int64_t i = 0; i < size; ++i) {
                 scan_.integer();
-                read_element(type, physical == physical_.end() ? 0 : physical->second, small(entity));
+                read_element(type, groups, curve);
             }
             n_read += size;
         }
@@ -315,11 +317,17 @@ private:
                             std::to_string(n_read));
     }
 
+    // None, or this one, which must outlive the answer.
+    static std::span<const std::int32_t> groups_of(const std::int32_t &group) {
+        return {&group, group != 0 ? std::size_t{1} : std::size_t{0}};
+    }
+
     Scanner scan_;
-    int major_ = 2;                                         // version
-    bool nodes_ = false, elements_ = false, named_ = false; // named_: some line is in a physical group
+    int major_ = 2; // version
+    bool nodes_ = false, elements_ = false;
     Numbering numbering_;
-    std::map<std::pair<std::int64_t, std::int64_t>, std::int32_t> physical_; // of (dimension, entity)
+    PhysicalGroups groups_;
+    std::vector<Arrays::MarkedEdge> curves_; // lines in no group, with the tags of their curves
     Arrays mesh_;
 };
 
@@ -337,13 +345,24 @@ void append_element(std::string &text, std::int64_t number, std::int64_t type, s
     }
 }
 
+void append_names(std::string &text, const Names &names) {
+    if (names.empty())
+        return;
+    text += "$PhysicalNames\n" + std::to_string(names.size()) + "\n";
+    for (const auto &[of, name] : names)
+        text += std::to_string(static_cast<int>(of.first)) + " " + std::to_string(of.second) + " \"" + name +
+                "\"\n";
+    text += "$EndPhysicalNames\n";
+}
+
 } // namespace
 
 Arrays parse_msh(std::string_view bytes) { return Reader(bytes).read(); }
 
 std::string print_msh(const Arrays &mesh) {
-    std::string text =
-        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(mesh.points.size() / 3) + "\n";
+    std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    append_names(text, mesh.names);
+    text += "$Nodes\n" + std::to_string(mesh.points.size() / 3) + "\n";
     for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
         append_number(text, static_cast<std::int64_t>(i / 3 + 1));
         for (std::size_t k = 0; k < 3; ++k) {
@@ -354,6 +373,8 @@ std::string print_msh(const Arrays &mesh) {
     }
     std::string elements;
     std::int64_t n = 0;
+    for (const auto &[vertex, marker] : mesh.marked_points)
+        append_element(elements, ++n, point_type, marker, &vertex, 1);
     for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
         if (edge.marker != 0)
             append_element(elements, ++n, line_type, edge.marker, edge.vertices.data(), 2);

@@ -1,14 +1,17 @@
 // The native mesh format of SU2 (Economon et al. 2016; the page "Mesh File" of its manual):
 // keywords in any order and case, each with a value behind "=", points and elements
-// on lines of their own. The k-th marker is the number k of its edges, its tag being a
-// name. Points and elements are numbered by their order from 0, as SU2 itself does;
+// on lines of their own. The k-th marker is the number k of its edges, its tag the name
+// of that. Points and elements are numbered by their order from 0, as SU2 itself does;
 // numbers at the ends of their lines are passed over, and so are keywords that are not
 // of the mesh, with what follows them. In the plane clockwise elements are inverted.
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "io/formats.h"
+#include "io/markers.h"
 #include "io/number.h"
 #include "io/scanner.h"
 
@@ -36,6 +39,7 @@ public:
             turn_clockwise_faces();
         for (const Section &marker : markers_)
             read_marker(marker);
+        settle_markers(mesh_, [](std::int32_t vertex) { return vertex; });
         return finished(std::move(mesh_));
     }
 
@@ -73,14 +77,23 @@ private:
             once(elements_, keyword, Section{scan_, whole(value)});
         else if (same_word(keyword, "NMARK"))
             once(promised_markers_, keyword, whole(value));
+        else if (same_word(keyword, "MARKER_TAG"))
+            tag_ = value;
         else if (same_word(keyword, "MARKER_ELEMS"))
-            markers_.push_back({scan_, whole(value)});
+            add_marker(value);
         else if (same_word(keyword, "SEND_RECV") && !markers_.empty()) // of old: within a marker
             markers_.back().scan = scan_;
         else if (same_word(keyword, "NZONE") && whole(value) != 1)
             scan_.fail(Fault::unsupported, "a file of " + quoted(value) + " zones is not read, only of one");
         if (dim_ && *dim_ != 2 && *dim_ != 3)
             scan_.malformed("points of " + std::to_string(*dim_) + " dimensions cannot be");
+    }
+
+    void add_marker(std::string_view size) {
+        markers_.push_back({scan_, whole(size)});
+        const auto number = static_cast<std::int32_t>(markers_.size());
+        if (const std::string_view tag = std::exchange(tag_, {}); !tag.empty())
+            mesh_.names[{Entity::edge, number}] = clean_name(tag);
     }
 
     template <class Value> void once(std::optional<Value> &place, std::string_view keyword, Value value) {
@@ -200,12 +213,64 @@ private:
     std::optional<std::int64_t> dim_, promised_markers_;
     std::optional<Section> points_, elements_;
     std::vector<Section> markers_;
+    std::string_view tag_; // of the marker to come
     std::int64_t n_markers_read_ = 0;
     Arrays mesh_;
 };
 
+// What the file and the configuration of SU2 take for one word.
+std::string word_of(const std::string &name) {
+    std::string word = name;
+    for (char &c : word)
+        if (std::string_view(" %=,()").find(c) != std::string_view::npos)
+            c = '_';
+    return word;
+}
+
+// A tag for each marker of edges, all different: its name, or its number.
+std::map<std::int32_t, std::string> tags_of(const Arrays &mesh) {
+    std::map<std::int32_t, std::string> tags;
+    for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
+        if (edge.marker != 0)
+            tags[edge.marker];
+    std::set<std::string> taken;
+    for (auto &[marker, tag] : tags) {
+        const auto name = mesh.names.find({Entity::edge, marker});
+        const std::string number = std::to_string(marker);
+        tag = name == mesh.names.end() ? number : word_of(name->second);
+        while (!taken.insert(tag).second)
+            tag += "_" + number;
+    }
+    return tags;
+}
+
 } // namespace
 
 Arrays parse_su2(std::string_view bytes) { return Reader(bytes).read(); }
+
+std::string print_su2(const Arrays &mesh) {
+    const bool planar = mesh.dim == 2;
+    std::string text =
+        "NDIME= " + std::to_string(mesh.dim) + "\nNELEM= " + std::to_string(mesh.faces.size() / 4) + "\n";
+    append_faces(text, mesh, "9 ", 0);
+    text += "NPOIN= " + std::to_string(mesh.points.size() / 3) + "\n";
+    for (std::size_t i = 0; i + 2 < mesh.points.size(); i += 3)
+        for (std::size_t k = 0; k < (planar ? 2 : 3); ++k) {
+            append_number(text, mesh.points[i + k]);
+            text += k + 1 < (planar ? 2 : 3) ? ' ' : '\n';
+        }
+    const std::map<std::int32_t, std::string> tags = tags_of(mesh);
+    std::map<std::int32_t, std::string> lines;
+    std::map<std::int32_t, std::int64_t> n_lines;
+    for (const auto &[vertices, marker] : mesh.marked_edges) {
+        ++n_lines[marker];
+        lines[marker] += "3 " + std::to_string(vertices[0]) + " " + std::to_string(vertices[1]) + "\n";
+    }
+    text += "NMARK= " + std::to_string(tags.size()) + "\n";
+    for (const auto &[marker, tag] : tags)
+        text += "MARKER_TAG= " + tag + "\nMARKER_ELEMS= " + std::to_string(n_lines[marker]) + "\n" +
+                lines[marker];
+    return text;
+}
 
 } // namespace alphamst::io

@@ -1,12 +1,13 @@
 // Reads legacy VTK (Schroeder, Martin and Lorensen 2006; the layout of cells of version
 // 5.1 after Kitware's file format pages): UNSTRUCTURED_GRID and POLYDATA, ASCII
-// and binary. The whole numbers "marker" of the cells are the region numbers of faces
-// and make marked edges of lines; other data, vertices and other lines are passed over.
+// and binary. Data of the cells in whole numbers that have one of some names are the markers of
+// faces, lines and vertex cells; other data and cells without a marker are passed over.
 #include <algorithm>
 #include <array>
 #include <optional>
 
 #include "io/formats.h"
+#include "io/markers.h"
 #include "io/scanner.h"
 #include "io/vtk.h"
 #include "io/vtk_values.h"
@@ -93,16 +94,27 @@ private:
             if (!type || type->size == 0)
                 return false;
             values_.begin();
-            read_values(*type, width, length, of_cells && name == marker_name);
+            read_values(*type, width, length, of_cells ? rank_of(name) : unknown);
         }
         return true;
     }
 
+    // The place of a name among those of markers, unknown if it is none of them.
+    static std::size_t rank_of(std::string_view name) {
+        return static_cast<std::size_t>(std::ranges::find(marker_names, name) - marker_names.begin());
+    }
+
     // From exactly here; only single whole numbers can be markers.
-    void read_values(Type type, std::int64_t width, std::int64_t length, bool wanted) {
+    void read_values(Type type, std::int64_t width, std::int64_t length, std::size_t rank) {
         const std::int64_t n = width * length;
         scan_.expect(n, "values", values_.least(type));
-        if (wanted && width == 1 && type.kind != Kind::real) {
+        const bool possible = rank < unknown && width == 1 && type.kind != Kind::real;
+        if (possible && rank_ < unknown)
+            mesh_.remarks.push_back("the cells have " + quoted(marker_names[rank]) + " and " +
+                                    quoted(marker_names[rank_]) + ": the markers are " +
+                                    quoted(marker_names[std::min(rank, rank_)]));
+        if (possible && rank < rank_) {
+            rank_ = rank;
             markers_.emplace(static_cast<std::size_t>(n));
             for (std::int32_t &marker : *markers_) {
                 const std::int64_t value = values_.integer(type);
@@ -165,7 +177,7 @@ private:
         if (scan_.ahead("LOOKUP_TABLE") || scan_.ahead("lookup_table"))
             scan_.line();
         scan_.expect(n, "values", 1);
-        read_values(*type, width, n, of_cells && name == marker_name);
+        read_values(*type, width, n, of_cells ? rank_of(name) : unknown);
         return true;
     }
 
@@ -248,7 +260,7 @@ private:
             if (read_cells().size() > 0)
                 scan_.fail(Fault::not_quad, "face {} is in a strip of triangles", Entity::face, {n_faces()});
         } else if (same_word(keyword, "VERTICES")) {
-            n_vertex_cells_ = read_cells().size();
+            vertex_cells_ = read_cells();
         } else if (same_word(keyword, "LINES")) {
             cells_ = read_cells();
         } else {
@@ -294,35 +306,46 @@ private:
         if (!markers_)
             return;
         const auto n_faces = static_cast<std::size_t>(this->n_faces());
-        const std::size_t n_cells = grid_ ? types_.size() : n_vertex_cells_ + cells_.size() + n_faces;
+        const std::size_t n_vertex_cells = vertex_cells_.size();
+        const std::size_t n_cells = grid_ ? types_.size() : n_vertex_cells + cells_.size() + n_faces;
         if (markers_->size() != n_cells)
             scan_.malformed("there are " + std::to_string(n_cells) + " cells, but " +
                             std::to_string(markers_->size()) + " markers");
         for (std::size_t i = 0; i < n_cells; ++i) {
             const std::int32_t marker = (*markers_)[i];
             if (grid_ ? types_[i] < vertex_cell || types_[i] > poly_line_cell
-                      : i >= n_vertex_cells_ + cells_.size())
+                      : i >= n_vertex_cells + cells_.size())
                 mesh_.face_marker.push_back(marker);
-            else if (grid_ ? types_[i] >= line_cell : i >= n_vertex_cells_)
-                add_line(grid_ ? i : i - n_vertex_cells_, marker);
+            else if (marker == 0)
+                continue;
+            else if (grid_ ? types_[i] >= line_cell : i >= n_vertex_cells)
+                add_line(grid_ ? i : i - n_vertex_cells, marker);
+            else
+                add_points(grid_ ? cells_ : vertex_cells_, i, marker);
         }
-        if (std::all_of(mesh_.face_marker.begin(), mesh_.face_marker.end(), [](int m) { return m == 0; }))
-            mesh_.face_marker.clear();
+        mesh_.curve_numbers = marker_names[rank_] == entity_tags && !mesh_.marked_edges.empty();
+        settle_markers(mesh_, [](std::int32_t vertex) { return vertex; });
     }
 
     void add_line(std::size_t i, std::int32_t marker) {
-        if (marker == 0)
-            return;
-        const auto end = [&](std::int64_t place) {
-            const std::int64_t v = cells_.connectivity[static_cast<std::size_t>(place)];
-            if (v < 0 || v >= static_cast<std::int64_t>(mesh_.points.size() / 3))
-                scan_.fail(Fault::range, "a line has vertex number " + std::to_string(v) +
-                                             " of the file, which has " +
-                                             std::to_string(mesh_.points.size() / 3) + " vertices");
-            return static_cast<std::int32_t>(v);
-        };
         for (std::int64_t k = cells_.offsets[i] + 1; k < cells_.offsets[i + 1]; ++k)
-            mesh_.marked_edges.push_back({{end(k - 1), end(k)}, marker});
+            mesh_.marked_edges.push_back({{vertex(cells_, k - 1), vertex(cells_, k)}, marker});
+    }
+
+    // Gmsh tags every corner of its model, which says nothing.
+    void add_points(const Cells &cells, std::size_t i, std::int32_t marker) {
+        if (marker_names[rank_] != entity_tags)
+            for (std::int64_t k = cells.offsets[i]; k < cells.offsets[i + 1]; ++k)
+                mesh_.marked_points.push_back({vertex(cells, k), marker});
+    }
+
+    std::int32_t vertex(const Cells &cells, std::int64_t place) const {
+        const std::int64_t v = cells.connectivity[static_cast<std::size_t>(place)];
+        if (v < 0 || v >= static_cast<std::int64_t>(mesh_.points.size() / 3))
+            scan_.fail(Fault::range, "a line or vertex cell has vertex number " + std::to_string(v) +
+                                         " of the file, which has " +
+                                         std::to_string(mesh_.points.size() / 3) + " vertices");
+        return static_cast<std::int32_t>(v);
     }
 
     std::int64_t n_faces() const { return static_cast<std::int64_t>(mesh_.faces.size() / 4); }
@@ -330,9 +353,10 @@ private:
     Scanner scan_;
     Values values_{scan_};
     bool grid_ = false, points_ = false, cells_seen_ = false;
-    Cells cells_; // all of a grid, the lines of POLYDATA
-    std::size_t n_vertex_cells_ = 0;
+    Cells cells_, vertex_cells_; // all of a grid, the lines of POLYDATA; its vertices
     std::vector<std::int64_t> types_;
+    static constexpr std::size_t unknown = marker_names.size();
+    std::size_t rank_ = unknown;                       // the place of the name of these
     std::optional<std::vector<std::int32_t>> markers_; // of the cells
     Arrays mesh_;
 };

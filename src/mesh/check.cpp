@@ -133,7 +133,8 @@ void QuadMesh::check_sizes() const {
     const std::size_t vertices = kernel_.n_vertices(), edges = kernel_.n_edges(), faces = kernel_.n_faces();
     if (!fits(vertex_flags, vertices) || !fits(edge_flags, edges) || !fits(face_flags, faces) ||
         !fits(vertex_origin, vertices) || !fits(edge_origin, edges) || !fits(face_origin, faces) ||
-        !fits(corners_, faces) || !(edge_marker.empty() || fits(edge_marker, edges)) ||
+        !fits(corners_, faces) || !(vertex_marker.empty() || fits(vertex_marker, vertices)) ||
+        !(edge_marker.empty() || fits(edge_marker, edges)) ||
         !(face_marker.empty() || fits(face_marker, faces)))
         throw Failure(Fault::internal, "flags, markers, origins or corners are not one for each entity");
 }
@@ -178,6 +179,9 @@ std::uint64_t QuadMesh::checksum() const {
         edges += edge.value();
     }
     digest.add(edges);
+    for (std::size_t v = 0; v < vertex_marker.size(); ++v)
+        if (vertex_marker[v] != 0)
+            digest.add(static_cast<int>(v), vertex_marker[v]);
     return digest.value();
 }
 

@@ -106,6 +106,8 @@ void QuadMesh::reserve(std::size_t vertices, std::size_t edges, std::size_t face
     edge_origin.reserve(room.edges);
     face_flags.reserve(room.faces);
     face_origin.reserve(room.faces);
+    if (!vertex_marker.empty())
+        vertex_marker.reserve(room.vertices);
     if (!edge_marker.empty())
         edge_marker.reserve(room.edges);
     if (!face_marker.empty())
@@ -116,7 +118,8 @@ void QuadMesh::reserve(std::size_t vertices, std::size_t edges, std::size_t face
 }
 
 void QuadMesh::resize(std::size_t vertices, std::size_t edges, std::size_t faces) {
-    const bool marked_edges = !edge_marker.empty(), marked_faces = !face_marker.empty();
+    const bool marked_vertices = !vertex_marker.empty(), marked_edges = !edge_marker.empty(),
+               marked_faces = !face_marker.empty();
     kernel_.resize(vertices, edges, faces);
     corners_.resize(faces);
     vertex_flags.resize(vertices);
@@ -125,6 +128,8 @@ void QuadMesh::resize(std::size_t vertices, std::size_t edges, std::size_t faces
     edge_origin.resize(edges, -1);
     face_flags.resize(faces);
     face_origin.resize(faces, -1);
+    if (marked_vertices)
+        vertex_marker.resize(vertices);
     if (marked_edges)
         edge_marker.resize(edges);
     if (marked_faces)

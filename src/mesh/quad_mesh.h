@@ -12,6 +12,7 @@
 
 #include "failure.h"
 #include "mesh/field.h"
+#include "names.h"
 
 namespace alphamst::surface {
 class BoundaryCurves;
@@ -74,8 +75,9 @@ public:
     std::vector<int> singularities() const; // ascending
 
     // Flags and markers, one per entity.
-    std::vector<std::uint8_t> vertex_flags, edge_flags, face_flags; // bits of Flag
-    std::vector<std::int32_t> edge_marker, face_marker;             // 0: none; empty: all none
+    std::vector<std::uint8_t> vertex_flags, edge_flags, face_flags;    // bits of Flag
+    std::vector<std::int32_t> vertex_marker, edge_marker, face_marker; // 0: none; empty: all none
+    Names names;                                                       // of markers; not in the checksum
     // Edges are numbered by tags of curves that nobody named: where one ends and the next begins, the
     // boundary goes on.
     bool curve_numbers = false;
@@ -152,7 +154,7 @@ public:
     // Full test of connectivity; in the plane also of orientation (every corner
     // positive). Throws the first fault with its place.
     void check() const;
-    // Digest of dim, coordinates, connectivity, flags and markers; equal for equal meshes
+    // Digest of dim, coordinates, connectivity, flags and markers, names left out; equal for equal meshes
     // only. An edge counts by its vertices, not by its id: a mesh built anew from the
     // same vertices and faces has the same digest.
     std::uint64_t checksum() const;

@@ -138,6 +138,8 @@ void QuadMesh::move_vertex(int from, int to) {
     kernel_.set_point(Vertex(to), kernel_.point(Vertex(from)));
     vertex_flags[at(to)] = vertex_flags[at(from)];
     vertex_origin[at(to)] = vertex_origin[at(from)];
+    if (!vertex_marker.empty())
+        vertex_marker[at(to)] = vertex_marker[at(from)];
 }
 
 void QuadMesh::move_edge(int from, int to) {
@@ -255,6 +257,8 @@ QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<
         kernel_.set_point(Vertex(v), points[i]);
         vertex_flags[at(v)] = 0;
         vertex_origin[at(v)] = -1;
+        if (!vertex_marker.empty())
+            vertex_marker[at(v)] = 0;
     }
     for (std::size_t i = 0; i < loop.size(); ++i)
         if (inside[i])

@@ -40,6 +40,8 @@ std::optional<Cross> cross_around(const Surroundings &mesh, std::int32_t corner)
     if (*std::ranges::min_element(sine) < flattest)
         return std::nullopt;
     const std::int32_t centre = mesh.faces[at(corner)];
+    if (!mesh.sides.held.empty() && mesh.sides.held[at(centre)])
+        return std::nullopt;
     for (std::size_t k = 0; k < 4; ++k)
         if (cosine(mesh.points, centre, cross.corners[(k + 1) % 4], cross.corners[(k + 2) % 4],
                    cross.corners[k]) < flat)

@@ -18,8 +18,8 @@ struct Surroundings {
 };
 
 // Four triangles around the vertex of a corner that are flat and together a convex quad, no side
-// between them being barred. Two of them in a pair make a corner of about 180 degrees, and two such pairs
-// share two sides, which no smoothing mends.
+// between them being barred, nor the vertex held. Two of them in a pair make a corner of about 180 degrees,
+// and two such pairs share two sides, which no smoothing mends.
 std::optional<Cross> cross_around(const Surroundings &mesh, std::int32_t corner);
 
 // The crosses around these corners and those that follow from cross to cross over common sides, without

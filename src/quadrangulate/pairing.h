@@ -52,6 +52,7 @@ struct TriangleSides {
     std::vector<std::int32_t> across; // the corner on the other side of the edge of each corner, -1: boundary
     std::vector<Bar> bars;            // of each corner; curve without one across: the mesh goes on there
     std::vector<bool> diagonals; // or empty: of each corner, whether the two triangles were given as a quad
+    std::vector<bool> held = {}; // or empty: of each vertex, whether it shall keep faces
 };
 
 // Of a side with a face beyond it: the quad of the two triangles, how much it is bent (1 less the cosine of

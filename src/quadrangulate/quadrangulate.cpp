@@ -152,6 +152,10 @@ void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, const Pair
     TriangleSides &sides = paired.sides;
     sides.across = across_edges(polygons.faces, halfedges);
     sides.bars = bars_of(polygons, polygons.faces, {}, sides.across, rules.sharp_angle);
+    if (!polygons.held.empty())
+        sides.held.resize(polygons.points.size() / 3);
+    for (const std::int32_t v : polygons.held)
+        sides.held[at(v)] = true;
     unite_odd_sides(polygons.points, polygons.faces, sides);
     const std::vector<Edge> boundary = boundary_edges(polygons.faces, sides.across);
     std::vector<Edge> barred = barred_edges(polygons.faces, sides.bars);

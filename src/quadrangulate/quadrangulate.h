@@ -15,6 +15,7 @@ struct Polygons {
     mesh::Faces faces;
     std::span<const std::int32_t> face_marker;           // [n], or empty
     std::span<const std::array<std::int32_t, 2>> curves; // edges that shall stay, given by their vertices
+    std::span<const std::int32_t> held = {};             // vertices that shall keep faces
 };
 
 enum class Quadrangulation {

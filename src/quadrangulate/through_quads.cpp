@@ -99,7 +99,7 @@ private:
     void cut_all() {
         const std::size_t n = paired_.cut.origin.size();
         paired_.sides = {std::vector<std::int32_t>(4 * n, -1), std::vector<Bar>(4 * n, Bar::none),
-                         paired_.cut.diagonals};
+                         paired_.cut.diagonals, sides_.held};
         Pairing before = std::exchange(paired_.pairing, {});
         choices().resize(n);
         for (std::size_t f = 0; f < n_given_; ++f) {
@@ -235,7 +235,7 @@ private:
     TriangleSides sides_of(const std::vector<std::int32_t> &part, const std::vector<std::int32_t> &across,
                            const Cut &cut, const Places &places) const {
         TriangleSides result{std::vector<std::int32_t>(cut.faces.size(), -1),
-                             std::vector<Bar>(cut.faces.size(), Bar::none), cut.diagonals};
+                             std::vector<Bar>(cut.faces.size(), Bar::none), cut.diagonals, sides_.held};
         for (std::size_t c = 0; c < across.size(); ++c) {
             const std::size_t given = 4 * at(part[c / 4]) + c % 4;
             if (given_[given] < 0)

@@ -187,7 +187,7 @@ def fortran_constants(text):
 # ----------------------------------------------------------------------- Julia
 
 JULIA_TYPES = {"Int32": "int32", "Cint": "int32", "Int64": "int64", "Clonglong": "int64",
-               "Float64": "double", "Cdouble": "double", "Cstring": "char*", "Cvoid": "void"}
+               "Float64": "double", "Cdouble": "double", "Cchar": "char", "Cstring": "char*", "Cvoid": "void"}
 
 
 def julia_type(text):

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <functional>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "alphamst/alphamst.h"
@@ -154,8 +155,18 @@ TEST_F(Allocation, InFiles) {
     fail_each([&] { return amst_mesh_read(ctx, "allocation_test.vtk", nullptr, &back); });
     fail_each([&] { return amst_patches_write(set, "allocation_test.svg"); });
     std::remove("allocation_test.vtk");
+    amst_mesh_destroy(std::exchange(back, nullptr));
+    const amst_id first = 0;
+    for (const std::int32_t entity : {AMST_VERTEX, AMST_EDGE, AMST_FACE})
+        ASSERT_EQ(amst_mesh_set_markers(mesh, entity, &first, 1, 7), AMST_OK);
+    ASSERT_EQ(amst_mesh_set_marker_name(mesh, AMST_EDGE, 7, long_name), AMST_OK);
+    for (const char *path : {"allocation_test.msh", "allocation_test.su2"}) {
+        fail_each([&] { return amst_mesh_write(mesh, path); });
+        fail_each([&] { return amst_mesh_read(ctx, path, nullptr, &back); });
+        amst_mesh_destroy(std::exchange(back, nullptr));
+        std::remove(path);
+    }
     std::remove("allocation_test.svg");
-    amst_mesh_destroy(back);
 }
 
 TEST_F(Allocation, InAdding) {
@@ -170,6 +181,10 @@ TEST_F(Allocation, InFeaturesCrossFieldAndSurface) {
     const std::int32_t triangles[6] = {0, 1, 2, 1, 3, 2};
     std::int64_t mark = 0, found = 0;
     fail_each([&] { return amst_mesh_detect_features(mesh, 30, &found); });
+    const amst_id first = 0;
+    for (const std::int32_t entity : {AMST_VERTEX, AMST_EDGE, AMST_FACE})
+        fail_each([&] { return amst_mesh_set_markers(mesh, entity, &first, 1, 7); });
+    fail_each([&] { return amst_mesh_set_marker_name(mesh, AMST_EDGE, 7, long_name); });
     fail_each([&] { return amst_mesh_compute_cross_field(mesh, nullptr); });
     fail_each([&] { return amst_mesh_set_surface(mesh, points.data(), 4, triangles, 2); });
     ASSERT_EQ(amst_mesh_mark(mesh, &mark), AMST_OK);

@@ -19,6 +19,9 @@ GETTER(singularities, amst_mesh_get_singularities(mesh, out, capacity, needed))
 GETTER(vertex_flags, amst_mesh_get_flags(mesh, AMST_VERTEX, out, capacity, needed))
 GETTER(edge_flags, amst_mesh_get_flags(mesh, AMST_EDGE, out, capacity, needed))
 GETTER(face_flags, amst_mesh_get_flags(mesh, AMST_FACE, out, capacity, needed))
+GETTER(markers, amst_mesh_get_markers(mesh, AMST_EDGE, out, capacity, needed))
+GETTER(marker_list, amst_mesh_get_marker_list(mesh, AMST_FACE, out, capacity, needed))
+GETTER(marker_name, amst_mesh_get_marker_name(mesh, AMST_FACE, 7, out, capacity, needed))
 GETTER(field, amst_mesh_get_field(mesh, AMST_VERTEX, "a", out, capacity, needed))
 GETTER(quality, amst_mesh_get_quality(mesh, AMST_METRIC_SHAPE, out, capacity, needed))
 GETTER(patch_faces, amst_patches_get_faces(set, 0, out, capacity, needed))
@@ -80,6 +83,12 @@ static void every_getter(void **state) {
     follow_protocol(vertex_flags, sizeof(int32_t), 8);
     follow_protocol(edge_flags, sizeof(int32_t), 12);
     follow_protocol(face_flags, sizeof(int32_t), 6);
+    must(amst_mesh_set_markers(mesh, AMST_FACE, cube, 1, 7));
+    must(amst_mesh_set_markers(mesh, AMST_FACE, cube + 1, 1, 8));
+    must(amst_mesh_set_marker_name(mesh, AMST_FACE, 7, "top"));
+    follow_protocol(markers, sizeof(int32_t), 12);
+    follow_protocol(marker_list, sizeof(int32_t), 2);
+    follow_protocol(marker_name, 1, 4);
     must(amst_mesh_set_field(mesh, AMST_VERTEX, "a", 3, AMST_CARRY_DROP, corners, 8));
     follow_protocol(field, sizeof(double), 24);
     follow_protocol(quality, sizeof(double), 6);

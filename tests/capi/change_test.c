@@ -67,6 +67,8 @@ static void every_failing_call(void **state) {
     unchanged(AMST_ERR_RANGE, amst_mesh_set_flags(w.mesh, AMST_FACE, far_faces, 2, 1, 1));
     unchanged(AMST_ERR_RANGE, amst_mesh_set_flags(w.mesh, AMST_VERTEX, NULL, 0, 64, 64));
     unchanged(AMST_ERR_ARGUMENT, amst_mesh_set_flags(w.mesh, 9, NULL, 0, 1, 1));
+    unchanged(AMST_ERR_RANGE, amst_mesh_set_markers(w.mesh, AMST_FACE, far_faces, 2, 1));
+    unchanged(AMST_ERR_ARGUMENT, amst_mesh_set_marker_name(w.mesh, AMST_FACE, 0, "a"));
     unchanged(AMST_ERR_RANGE, amst_mesh_detect_features(w.mesh, 181, NULL));
     unchanged(AMST_ERR_RANGE, amst_mesh_set_surface(w.mesh, nowhere, 1, far_vertices, 1));
     unchanged(AMST_ERR_NOT_FOUND, amst_mesh_rollback(w.mesh, number + 5));

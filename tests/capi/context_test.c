@@ -157,6 +157,8 @@ static int32_t meddle(void *user, double fraction, const char *stage) {
     refused(AMST_ERR_STATE, amst_clean(w->mesh, NULL, NULL));
     refused(AMST_ERR_STATE, amst_mesh_set_points(w->mesh, points, 1));
     refused(AMST_ERR_STATE, amst_mesh_set_flags(w->mesh, AMST_FACE, NULL, 0, 1, 1));
+    refused(AMST_ERR_STATE, amst_mesh_set_markers(w->mesh, AMST_FACE, NULL, 0, 1));
+    refused(AMST_ERR_STATE, amst_mesh_set_marker_name(w->mesh, AMST_FACE, 1, "a"));
     refused(AMST_ERR_STATE, amst_mesh_detect_features(w->mesh, 30, NULL));
     refused(AMST_ERR_STATE, amst_mesh_compute_cross_field(w->mesh, NULL));
     refused(AMST_ERR_STATE, amst_mesh_set_surface(w->mesh, NULL, 0, NULL, 0));

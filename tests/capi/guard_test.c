@@ -112,6 +112,8 @@ static void meshes(void **state) {
     null("mesh", amst_mesh_get_checksum(NULL, &n));
     null("digest", amst_mesh_get_checksum(mesh, NULL));
     null("mesh", amst_mesh_set_flags(NULL, AMST_FACE, NULL, 0, 1, 1));
+    null("mesh", amst_mesh_set_markers(NULL, AMST_FACE, NULL, 0, 1));
+    null("mesh", amst_mesh_set_marker_name(NULL, AMST_FACE, 1, "a"));
     null("mesh", amst_mesh_detect_features(NULL, 30, &n));
     null("mesh", amst_mesh_compute_cross_field(NULL, NULL));
     null("mesh", amst_mesh_get_alignment(NULL, &degrees));
@@ -143,6 +145,10 @@ static void meshes(void **state) {
     } while (0)
 
 #define mesh_flags(m, out, capacity, needed) amst_mesh_get_flags(m, AMST_FACE, out, capacity, needed)
+#define mesh_markers(m, out, capacity, needed) amst_mesh_get_markers(m, AMST_FACE, out, capacity, needed)
+#define marker_list(m, out, capacity, needed) amst_mesh_get_marker_list(m, AMST_FACE, out, capacity, needed)
+#define marker_name(m, out, capacity, needed)                                                                \
+    amst_mesh_get_marker_name(m, AMST_FACE, 1, out, capacity, needed)
 #define mesh_field(m, out, capacity, needed) amst_mesh_get_field(m, AMST_FACE, "a", out, capacity, needed)
 #define mesh_quality(m, out, capacity, needed)                                                               \
     amst_mesh_get_quality(m, AMST_METRIC_AREA, out, capacity, needed)
@@ -163,6 +169,9 @@ static void arrays(void **state) {
     null_array(mesh, amst_mesh_get_valences, int32_t);
     null_array(mesh, amst_mesh_get_singularities, amst_id);
     null_array(mesh, mesh_flags, int32_t);
+    null_array(mesh, mesh_markers, int32_t);
+    null_array(mesh, marker_list, int32_t);
+    null_array(mesh, marker_name, char);
     const double values[36] = {0};
     must(amst_mesh_set_field(mesh, AMST_FACE, "a", 1, AMST_CARRY_DROP, values, 36));
     null_array(mesh, mesh_field, double);

@@ -52,17 +52,33 @@ TEST(Format, KnowsItsExtensions) {
     const samples::Folder folder;
     for (const char *name : {"m.stl", "m", "m.", "x.off/m", "m.svg"})
         EXPECT_EQ(failure_of([&] { read(folder / name); }).fault, Fault::unsupported) << name;
-    for (const char *name : {"m.stl", "m", "m.su2"})
+    for (const char *name : {"m.stl", "m"})
         EXPECT_EQ(failure_of([&] { write(folder / name, samples::cube()); }).fault, Fault::unsupported)
             << name;
     EXPECT_EQ(failure_of([&] { read(folder / "m.off"); }).fault, Fault::io);
 }
 
-TEST(Format, ReadsWhatItDoesNotWrite) {
+TEST(Format, SaysWhichMarkersItHasNoPlaceFor) {
     const samples::Folder folder;
-    std::ofstream(folder / "m.SU2")
-        << "NDIME= 2\nNELEM= 1\n9 0 1 2 3\nNPOIN= 4\n0 0\n1 0\n1 1\n0 1\nNMARK= 0\n";
-    EXPECT_EQ(read(folder / "m.SU2").faces, (std::vector<std::int32_t>{0, 1, 2, 3}));
+    Arrays mesh = samples::cube();
+    for (const char *name : {"m.off", "m.msh", "m.su2", "m.vtk"})
+        EXPECT_TRUE(write(folder / name, mesh).empty()) << name;
+    mesh.face_marker = {0, 0, 3, 3, 3, 0};
+    mesh.marked_edges = {{{0, 1}, 7}};
+    mesh.marked_points = {{5, 1}, {6, 1}};
+    mesh.names = {{{Entity::edge, 7}, "rim"}, {{Entity::face, 3}, "top"}};
+    using Remarks = std::vector<std::string>;
+    EXPECT_EQ(write(folder / "m.msh", mesh), Remarks());
+    EXPECT_EQ(write(folder / "m.vtk", mesh), Remarks({".vtk has no place for 2 names of markers"}));
+    EXPECT_EQ(write(folder / "m.su2", mesh), Remarks({".su2 has no place for 3 markers of faces",
+                                                      ".su2 has no place for 2 markers of vertices",
+                                                      ".su2 has no place for 1 names of markers"}));
+    EXPECT_EQ(
+        write(folder / "m.off", mesh),
+        Remarks({".off has no place for 1 markers of edges", ".off has no place for 3 markers of faces",
+                 ".off has no place for 2 markers of vertices", ".off has no place for 2 names of markers"}));
+    mesh.marked_points = {{8, 1}};
+    EXPECT_EQ(failure_of([&] { write(folder / "m.msh", mesh); }).fault, Fault::range);
 }
 
 TEST(Format, WritesNoMeshThatItCouldNotRead) {

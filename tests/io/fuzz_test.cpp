@@ -6,6 +6,7 @@
 #include <random>
 
 #include "io/formats.h"
+#include "io/markers.h"
 #include "samples.h"
 
 namespace alphamst::io {
@@ -29,39 +30,49 @@ std::vector<Sample> all_samples() {
     Arrays mesh = samples::grid(2, 3);
     mesh.face_marker = {1, 2, 3, 4};
     mesh.marked_edges = {{{0, 1}, 3}, {{1, 2}, 5}};
+    mesh.marked_points = {{4, 6}};
+    mesh.names = {{{Entity::edge, 3}, "low"}, {{Entity::face, 4}, "a region"}};
     const std::string vtk_points = " UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 0\n";
-    return {{"off", parse_off, print_off(mesh)},
-            {"obj", parse_obj, print_obj(mesh)},
-            {"ply", parse_ply, print_ply(mesh)},
-            {"msh 2", parse_msh, print_msh(mesh)},
-            {"vtk", parse_vtk, print_vtk(mesh)},
-            {"binary ply", parse_ply,
-             "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty "
-             "int z\n"
-             "element face 1\nproperty list uint int vertex_indices\nend_header\n" +
-                 raw({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 4, 0, 1, 2, 3})},
-            {"msh 4", parse_msh,
-             "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 1 1 0\n1 0 0 0 1 0 0 1 5 0\n1 0 0 0 1 1 0 1 "
-             "9 0\n"
-             "$EndEntities\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
-             "$Elements\n2 2 1 2\n1 1 1 1\n1 1 2\n2 1 3 1\n2 1 2 3 4\n$EndElements\n"},
-            {"msh 1", parse_msh,
-             "$NOD\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$ENDNOD\n"
-             "$ELM\n3\n1 15 0 1 1 1\n2 1 5 1 2 1 2\n3 3 7 1 4 1 2 3 4\n$ENDELM\n"},
-            {"su2", parse_su2,
-             "% a square\nNDIME= 2\nNELEM= 1\n9 0 1 2 3 0\nNPOIN= 4 4\n0 0 0\n1 0 1\n1 1 2\n0 1 3\n"
-             "NMARK= 2\nMARKER_TAG= low\nMARKER_ELEMS= 1\n3 0 1\nMARKER_TAG= other\n"
-             "MARKER_ELEMS= 2\n3 1 2 0\n3 2 3\nFFD_CORNER_POINTS= 1\n0.5 0.5\n"},
-            {"vtk 5.1", parse_vtk,
-             "# vtk DataFile Version 5.1\nx\nASCII\nDATASET" + vtk_points +
-                 "FIELD f 1\na 1 2 int\n1 2\nCELLS 2 4\nOFFSETS int\n0 4\nCONNECTIVITY int\n0 1 2 "
-                 "3\nCELL_TYPES 1\n9\nPOINT_DATA 4\nVECTORS v int\n1 1 1 1 1 1 1 1 1 1 1 1\nCELL_DATA "
-                 "1\nFIELD f 1\n"
-                 "marker 1 1 int\n7\n"},
-            {"binary vtk", parse_vtk,
-             "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 int\n" +
-                 raw({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) + "\nCELLS 1 5\n" + raw({4, 0, 1, 2, 3}) +
-                 "\nCELL_TYPES 1\n" + raw({9})}};
+    return {
+        {"off", parse_off, print_off(mesh)},
+        {"obj", parse_obj, print_obj(mesh)},
+        {"ply", parse_ply, print_ply(mesh)},
+        {"msh 2", parse_msh, print_msh(mesh)},
+        {"vtk", parse_vtk, print_vtk(mesh)},
+        {"su2 written", parse_su2, print_su2(mesh)},
+        {"msh 4 in parts", parse_msh,
+         "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 1 1 0\n1 0 0 0 1 0 0 2 5 6 0\n1 0 0 0 1 1 0 1 "
+         "9 0\n$EndEntities\n$PartitionedEntities\n2\n1\n4 1\n0 2 1 0\n2 1 1 1 1 0 0 0 1 0 0 1 7 0\n"
+         "3 2 1 2 1 2 1 0 0 1 1 0 0 0\n2 2 1 1 1 0 0 0 1 1 0 0 0\n$EndPartitionedEntities\n"
+         "$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
+         "$Elements\n2 2 1 2\n1 2 1 1\n1 1 2\n2 2 3 1\n2 1 2 3 4\n$EndElements\n"},
+        {"binary ply", parse_ply,
+         "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty "
+         "int z\n"
+         "element face 1\nproperty list uint int vertex_indices\nend_header\n" +
+             raw({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 4, 0, 1, 2, 3})},
+        {"msh 4", parse_msh,
+         "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 1 1 0\n1 0 0 0 1 0 0 1 5 0\n1 0 0 0 1 1 0 1 "
+         "9 0\n"
+         "$EndEntities\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n"
+         "$Elements\n2 2 1 2\n1 1 1 1\n1 1 2\n2 1 3 1\n2 1 2 3 4\n$EndElements\n"},
+        {"msh 1", parse_msh,
+         "$NOD\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$ENDNOD\n"
+         "$ELM\n3\n1 15 0 1 1 1\n2 1 5 1 2 1 2\n3 3 7 1 4 1 2 3 4\n$ENDELM\n"},
+        {"su2", parse_su2,
+         "% a square\nNDIME= 2\nNELEM= 1\n9 0 1 2 3 0\nNPOIN= 4 4\n0 0 0\n1 0 1\n1 1 2\n0 1 3\n"
+         "NMARK= 2\nMARKER_TAG= low\nMARKER_ELEMS= 1\n3 0 1\nMARKER_TAG= other\n"
+         "MARKER_ELEMS= 2\n3 1 2 0\n3 2 3\nFFD_CORNER_POINTS= 1\n0.5 0.5\n"},
+        {"vtk 5.1", parse_vtk,
+         "# vtk DataFile Version 5.1\nx\nASCII\nDATASET" + vtk_points +
+             "FIELD f 1\na 1 2 int\n1 2\nCELLS 2 4\nOFFSETS int\n0 4\nCONNECTIVITY int\n0 1 2 "
+             "3\nCELL_TYPES 1\n9\nPOINT_DATA 4\nVECTORS v int\n1 1 1 1 1 1 1 1 1 1 1 1\nCELL_DATA "
+             "1\nFIELD f 1\n"
+             "marker 1 1 int\n7\n"},
+        {"binary vtk", parse_vtk,
+         "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 int\n" +
+             raw({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) + "\nCELLS 1 5\n" + raw({4, 0, 1, 2, 3}) +
+             "\nCELL_TYPES 1\n" + raw({9})}};
 }
 
 // Reads; what comes out must be in order. Returns whether it was read.
@@ -88,6 +99,10 @@ bool survives(const Sample &sample, std::string_view bytes) {
     for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
         for (std::int32_t v : edge.vertices)
             EXPECT_TRUE(v >= 0 && static_cast<std::size_t>(v) < mesh.points.size() / 3);
+    for (const Arrays::MarkedPoint &point : mesh.marked_points)
+        EXPECT_TRUE(point.vertex >= 0 && static_cast<std::size_t>(point.vertex) < mesh.points.size() / 3);
+    for (const auto &[of, name] : mesh.names)
+        EXPECT_TRUE(of.second != 0 && !name.empty() && clean_name(name) == name);
     return true;
 }
 

@@ -25,18 +25,26 @@ TEST(Msh, ReadsVersion2) {
     EXPECT_EQ(mesh.points.size(), 21u);
     EXPECT_EQ(mesh.faces, (std::vector<std::int32_t>{0, 1, 2, 3, 1, 4, 5, 2}));
     EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{0, 17}));
-    ASSERT_EQ(mesh.marked_edges.size(), 2u); // the third has no tag at all
-    EXPECT_EQ(mesh.marked_edges[0].vertices, (std::array<std::int32_t, 2>{0, 1}));
-    EXPECT_EQ(mesh.marked_edges[0].marker, 5);
-    EXPECT_EQ(mesh.marked_edges[1].vertices, (std::array<std::int32_t, 2>{1, 4}));
-    EXPECT_EQ(mesh.marked_edges[1].marker, 8); // the elementary tag
+    // One line has the tag of its curve, but another one is in a group.
+    EXPECT_EQ(samples::edges_of(mesh), (std::vector<std::array<std::int32_t, 3>>{{0, 1, 5}}));
+    EXPECT_FALSE(mesh.curve_numbers);
+    EXPECT_EQ(mesh.names, (Names{{{Entity::edge, 5}, "$wall"}}));
+    EXPECT_TRUE(mesh.marked_points.empty());
+}
+
+// As Gmsh writes it with Mesh.SaveAll: all curves, whether somebody asked for them or not.
+TEST(Msh, TagsOfCurvesCountWhereNoLineIsInAGroup) {
+    const Arrays mesh = parse_msh(elements(
+        "1 15 2 0 1 10\n2 1 2 0 3 10 3\n3 1 2 0 8 3 5\n5 3 2 6 1 10 3 900 4\n6 3 2 6 1 3 5 6 900\n", 5));
+    EXPECT_EQ(samples::edges_of(mesh), (std::vector<std::array<std::int32_t, 3>>{{0, 1, 3}, {1, 4, 8}}));
+    EXPECT_TRUE(mesh.curve_numbers);
 }
 
 // A square of two faces in blocks, with physical tags in $Entities.
 const std::string four_head = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
 const std::string four_entities =
     "$Entities\n1 2 2 0\n1 0 0 0 0\n1 0 0 0 1 0 0 1 5 2 1 -1\n2 0 0 0 1 0 0 0 2 1 -1\n"
-    "1 0 0 0 1 1 0 2 -9 3 0\n2 0 0 0 1 1 0 0 0\n$EndEntities\n";
+    "1 0 0 0 1 1 0 1 -9 0\n2 0 0 0 1 1 0 0 0\n$EndEntities\n";
 const std::string four_nodes =
     "$Nodes\n2 6 1 60\n1 1 1 2\n10\n3\n0 0 0 0.25\n1 0 0 0.75\n2 1 0 4\n60\n4\n5\n6\n"
     "1 1 0\n0 1 0\n2 0 0\n2 1 0\n$EndNodes\n";
@@ -49,10 +57,31 @@ TEST(Msh, ReadsVersion4) {
     EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0}));
     EXPECT_EQ(mesh.faces, (std::vector<std::int32_t>{0, 1, 2, 3, 1, 4, 5, 2}));
     EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{9, 0}));
-    ASSERT_EQ(mesh.marked_edges.size(), 2u);
-    EXPECT_EQ(mesh.marked_edges[0].marker, 5);
-    EXPECT_EQ(mesh.marked_edges[1].marker, 2); // the curve's own tag
+    EXPECT_EQ(samples::edges_of(mesh), (std::vector<std::array<std::int32_t, 3>>{{0, 1, 5}}));
     EXPECT_TRUE(parse_msh(four_head + four_nodes + four_elements).face_marker.empty());
+}
+
+TEST(Msh, OneRuleForSeveralGroupsInEveryVersion) {
+    const std::string lines = "1 1 2 9 1 10 3\n2 1 2 5 1 10 3\n3 3 2 7 1 10 3 900 4\n4 3 2 6 1 10 3 900 4\n"
+                              "5 3 2 7 1 3 5 6 900\n6 15 2 4 1 3\n7 15 2 2 1 3\n";
+    const Arrays old = parse_msh(elements(lines, 7));
+    const Arrays now = parse_msh(
+        four_head +
+        "$Entities\n1 1 2 0\n1 0 0 0 2 4 2\n1 0 0 0 1 0 0 2 9 -5 0\n1 0 0 0 1 1 0 2 7 6 0\n2 0 0 0 1 1 0 1 7 "
+        "0\n"
+        "$EndEntities\n" +
+        four_nodes +
+        "$Elements\n4 4 1 4\n1 1 1 1\n1 10 3\n0 1 15 1\n2 3\n2 1 3 1\n3 10 3 60 4\n2 2 3 1\n4 3 5 6 60\n"
+        "$EndElements\n");
+    for (const Arrays *mesh : {&old, &now}) {
+        EXPECT_EQ(mesh->face_marker, (std::vector<std::int32_t>{6, 7}));
+        EXPECT_EQ(samples::edges_of(*mesh), (std::vector<std::array<std::int32_t, 3>>{{0, 1, 5}}));
+        ASSERT_EQ(mesh->marked_points.size(), 1U);
+        EXPECT_EQ(mesh->marked_points[0].vertex, 1);
+        EXPECT_EQ(mesh->marked_points[0].marker, 2);
+        EXPECT_EQ(mesh->remarks.size(), 3U);
+    }
+    EXPECT_EQ(old.remarks[1], now.remarks[1]);
 }
 
 // The mesh of version 2 in version 1.
@@ -75,11 +104,7 @@ TEST(Msh, ReadsVersion1) {
                   (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0, 9, 9, 0}));
         EXPECT_EQ(mesh.faces, (std::vector<std::int32_t>{0, 1, 2, 3, 1, 4, 5, 2}));
         EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{0, 17}));
-        ASSERT_EQ(mesh.marked_edges.size(), 2u); // the third has no number at all
-        EXPECT_EQ(mesh.marked_edges[0].vertices, (std::array<std::int32_t, 2>{0, 1}));
-        EXPECT_EQ(mesh.marked_edges[0].marker, 5);
-        EXPECT_EQ(mesh.marked_edges[1].vertices, (std::array<std::int32_t, 2>{1, 4}));
-        EXPECT_EQ(mesh.marked_edges[1].marker, 8); // the elementary region
+        EXPECT_EQ(samples::edges_of(mesh), (std::vector<std::array<std::int32_t, 3>>{{0, 1, 5}}));
     }
     EXPECT_TRUE(parse_msh(one("1 3 0 1 4 10 3 900 4\n", 1)).face_marker.empty());
 }

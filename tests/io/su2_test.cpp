@@ -51,6 +51,29 @@ TEST(Su2, ReadsElementsBeforeAndAfterPoints) {
     expect_two(two.substr(0, two.size() - 1)); // no line end
 }
 
+TEST(Su2, TagsAreNames) {
+    EXPECT_EQ(parse_su2(two).names, (Names{{{Entity::edge, 1}, "low"}, {{Entity::edge, 2}, "high"}}));
+    EXPECT_TRUE(parse_su2(replaced(two, "MARKER_TAG= low\n", "")).names.contains({Entity::edge, 2}));
+}
+
+TEST(Su2, WritesNamesOrNumbersAsTags) {
+    Arrays mesh = samples::grid(2, 2);
+    mesh.marked_edges = {{{1, 2}, 30}, {{0, 1}, -4}, {{0, 3}, 7}, {{2, 5}, 30}, {{3, 6}, 0}};
+    mesh.names = {
+        {{Entity::edge, 30}, "in (left), 5%"}, {{Entity::edge, 7}, "-4"}, {{Entity::edge, 8}, "unused"}};
+    const std::string text = print_su2(mesh);
+    EXPECT_EQ(text.substr(text.find("NMARK")), "NMARK= 3\nMARKER_TAG= -4\nMARKER_ELEMS= 1\n3 0 1\n"
+                                               "MARKER_TAG= -4_7\nMARKER_ELEMS= 1\n3 0 3\n"
+                                               "MARKER_TAG= in__left___5_\nMARKER_ELEMS= 2\n3 1 2\n3 2 5\n");
+    EXPECT_EQ(samples::edges_of(parse_su2(text)),
+              (std::vector<std::array<std::int32_t, 3>>{{0, 1, 1}, {0, 3, 2}, {1, 2, 3}, {2, 5, 3}}));
+    mesh = samples::cube();
+    const Arrays back = parse_su2(print_su2(mesh));
+    EXPECT_EQ(back.dim, 3);
+    EXPECT_EQ(back.faces, mesh.faces);
+    EXPECT_TRUE(back.marked_edges.empty());
+}
+
 TEST(Su2, TurnsClockwiseFacesOver) { expect_two(replaced(two, "9 1 2 5 4 1", "9 1 4 5 2 1")); }
 
 TEST(Su2, ReadsLinesWithAndWithoutIndices) {

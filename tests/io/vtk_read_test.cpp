@@ -149,6 +149,46 @@ TEST(VtkRead, ReadsMarkersOfPolyDataAndOfBinary) {
     EXPECT_EQ(edges_of(binary), (Edges{{0, 1, 7}}));
 }
 
+// What ParaView, meshio, Medit, dolfinx and Gmsh call them.
+TEST(VtkRead, KnowsOtherNamesOfMarkers) {
+    using Edges = std::vector<std::array<std::int32_t, 3>>;
+    for (const char *name :
+         {"gmsh:physical", "medit:ref", "cell_tags", "MaterialIds", "RegionId", "CellEntityIds"}) {
+        const Arrays mesh = parse_vtk(
+            marked_grid("CELL_DATA 5\nFIELD FieldData 1\n" + std::string(name) + " 1 5 long\n9 1 2 3 4\n"));
+        const bool of_gmsh = std::string(name) == "CellEntityIds"; // tags of entities, not of groups
+        EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{1, 4})) << name;
+        EXPECT_EQ(edges_of(mesh), (Edges{{0, 1, 2}, {1, 4, 3}, {4, 5, 3}})) << name;
+        EXPECT_EQ(mesh.marked_points.size(), of_gmsh ? 0U : 1U) << name;
+        EXPECT_EQ(mesh.curve_numbers, of_gmsh) << name;
+        EXPECT_TRUE(mesh.remarks.empty()) << name;
+    }
+    const std::string physical = "gmsh:physical 1 5 int\n9 1 2 3 4\n", marker = "marker 1 5 int\n0 5 0 0 5\n";
+    for (const std::string &fields : {physical + marker, marker + physical}) {
+        const Arrays mesh = parse_vtk(marked_grid("CELL_DATA 5\nFIELD FieldData 2\n" + fields));
+        EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{5, 5}));
+        EXPECT_TRUE(mesh.marked_edges.empty() && mesh.marked_points.empty());
+        EXPECT_EQ(mesh.remarks.size(), 1U);
+    }
+}
+
+TEST(VtkRead, VertexCellsAreMarkedPoints) {
+    const Arrays grid = parse_vtk(head("ASCII", "UNSTRUCTURED_GRID") + points +
+                                  "CELLS 4 15\n1 0\n4 0 1 2 3\n2 1 5\n4 1 4 5 2\nCELL_TYPES 4\n1 9 2 9\n"
+                                  "CELL_DATA 4\nSCALARS marker int 1\nLOOKUP_TABLE default\n8 0 -3 0\n");
+    const Arrays polygons = parse_vtk(head("ASCII", "POLYDATA") + points +
+                                      "POLYGONS 2 10\n4 0 1 2 3\n4 1 4 5 2\nVERTICES 2 5\n1 0\n2 1 5\n"
+                                      "CELL_DATA 4\nSCALARS marker int 1\nLOOKUP_TABLE default\n8 -3 0 0\n");
+    for (const Arrays *mesh : {&grid, &polygons}) {
+        ASSERT_EQ(mesh->marked_points.size(), 3U);
+        const std::array<std::array<std::int32_t, 2>, 3> wanted{{{0, 8}, {1, -3}, {5, -3}}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(mesh->marked_points[i].vertex, wanted[i][0]);
+            EXPECT_EQ(mesh->marked_points[i].marker, wanted[i][1]);
+        }
+    }
+}
+
 TEST(VtkRead, RejectsMarkersThatDoNotFit) {
     const std::string array = "SCALARS marker vtktypeint64 1\nLOOKUP_TABLE default\n";
     for (const std::string &text :

@@ -5,7 +5,7 @@
 !> needs it to itself. Meshes that have a projection in common, being copies, are copied and destroyed
 !> on one thread at a time.
 module alphamst_mesh
-    use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
     use amst_c, only: amst_mesh_check, amst_mesh_clone, amst_mesh_compute_cross_field, amst_mesh_create, &
         amst_mesh_create_i64, &
@@ -13,10 +13,12 @@ module alphamst_mesh
         amst_mesh_get_alignment, amst_mesh_get_checksum, amst_mesh_get_chord, amst_mesh_get_chord_ids, amst_mesh_get_chords, &
         amst_mesh_get_count, amst_mesh_get_crossed_edges, amst_mesh_get_split_edges, &
         amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
-        amst_mesh_get_faces, amst_mesh_get_field, amst_mesh_get_flags, amst_mesh_get_points, amst_mesh_get_quality, &
+        amst_mesh_get_faces, amst_mesh_get_field, amst_mesh_get_flags, amst_mesh_get_marker_list, &
+        amst_mesh_get_marker_name, amst_mesh_get_markers, amst_mesh_get_points, amst_mesh_get_quality, &
         amst_mesh_get_revision, amst_mesh_get_singularities, amst_mesh_get_summary, &
         amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_remove_field, &
-        amst_mesh_rollback, amst_mesh_set_field, amst_mesh_set_flags, amst_mesh_set_points, amst_mesh_set_surface, &
+        amst_mesh_rollback, amst_mesh_set_field, amst_mesh_set_flags, amst_mesh_set_marker_name, &
+        amst_mesh_set_markers, amst_mesh_set_points, amst_mesh_set_surface, &
         amst_mesh_write, amst_summary
     use alphamst_arrays, only: check_rows, deliver, fetch_reals_of, fetch_row, fetch_row_of, fetch_rows, &
         fill_reals_of, fill_row, fill_row_of, fill_rows
@@ -28,7 +30,7 @@ module alphamst_mesh
     implicit none
     private
 
-    !> Assignment makes a mesh of its own, with flags, fields, revision and projection, without savepoints.
+    !> Assignment makes a mesh of its own, with flags, markers, fields, revision and projection, without savepoints.
     !>
     !> The functions below return new arrays. Their get_ forms fill an array of the caller, which may
     !> have more columns than needed; n becomes the number of columns of the answer. Errors of those:
@@ -50,9 +52,12 @@ module alphamst_mesh
         !> Faces are of kind int32; for int64 it is create_strided_int64.
         procedure :: create_strided, create_strided_int64
         !> read(context, path [, options]): .off .obj .ply .msh .su2 .vtk; dim is 2 when every z is 0.
+        !> Numbers of points, boundaries and regions are markers, with their names; the log tells what could
+        !> not be kept, and stat is AMST_PARTIAL if something with a number is not in the mesh.
         !> Errors: IO, FORMAT, UNSUPPORTED and those of create.
         procedure :: read => read_file
-        !> write(path): the same formats without .su2, and .svg. Errors: IO, UNSUPPORTED.
+        !> write(path): the same formats, and .svg. All markers and names are kept by .msh; the log tells what
+        !> another format has no place for. Errors: IO, UNSUPPORTED.
         procedure :: write => write_file
         !> clone(copy): as copy = mesh, with stat and errmsg.
         procedure :: clone
@@ -115,6 +120,21 @@ module alphamst_mesh
         !> No flag is taken away; found, kind int64, is the number of those edges. Errors: NOT_FINITE, RANGE.
         procedure :: detect_features
 
+        !> set_markers(entity, ids(:), value): their marker, a number of a boundary, region or point, becomes
+        !> value, 0 for none; without ids that of all entities. Operations keep what is marked; vertices with
+        !> a marker are AMST_FLAG_CORNER. Errors: ARGUMENT (entity), RANGE (id).
+        generic :: set_markers => set_markers_of, set_markers_of_all
+        !> markers(entity): the marker of each; get_markers(entity, values [, n]).
+        !> Errors: ARGUMENT (entity).
+        procedure :: markers, get_markers
+        !> marker_list(entity): the markers in use, ascending, without 0. Errors: ARGUMENT (entity).
+        procedure :: marker_list
+        !> set_marker_name(entity, marker, name): without trailing blanks; '' takes the name away.
+        !> Errors: ARGUMENT (entity, marker 0, a name with double quotes or control characters).
+        procedure :: set_marker_name
+        !> marker_name(entity, marker): '' if it has none. Errors: ARGUMENT (entity).
+        procedure :: marker_name
+
         !> set_field(entity, name, values(:), carry), or values(components, :): named numbers of each entity;
         !> a field of that name there is replaced. Operations keep the values of what they keep; an
         !> AMST_CARRY_* gives new entities theirs. The library reads 'size' (AMST_VERTEX, one number above
@@ -155,7 +175,7 @@ module alphamst_mesh
         !> destroyed. Not kept in files. A handle given away by release keeps it, for which some bytes stay.
         procedure :: set_projection
 
-        !> mark(revision): remember points, connectivity, flags and fields under this name.
+        !> mark(revision): remember points, connectivity, flags, markers and fields under this name.
         procedure :: mark
         !> rollback(revision): back to that savepoint, which stays. Errors: NOT_FOUND.
         procedure :: rollback
@@ -169,6 +189,7 @@ module alphamst_mesh
         procedure :: summary => get_summary
 
         procedure, private :: create_int32, create_int64, set_flags_of, set_flags_of_all, assign, &
+            set_markers_of, set_markers_of_all, &
             set_field_of_one, set_field_of_several, components_of, set_surface_to, set_surface_to_mesh
         generic :: assignment(=) => assign
         final :: finalize
@@ -679,6 +700,96 @@ contains
 
         call fill_row_of(amst_mesh_get_flags, self%c_handle(), entity, values, n, stat, errmsg)
     end subroutine get_flags
+
+    subroutine set_markers_of_all(self, entity, value, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(in) :: entity, value
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_set_markers(self%c_handle(), entity, n=0_int64, value=value), stat, errmsg)
+    end subroutine set_markers_of_all
+
+    ! No ids are passed on as such, see set_flags_of.
+    subroutine set_markers_of(self, entity, ids, value, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(in) :: entity, value
+        integer(int32), intent(in), contiguous :: ids(:)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), parameter :: no_ids(1) = 0
+        integer(int32) :: status
+
+        if (size(ids) == 0) then
+            status = amst_mesh_set_markers(self%c_handle(), entity, no_ids, 0_int64, value)
+        else
+            status = amst_mesh_set_markers(self%c_handle(), entity, ids, size(ids, kind=int64), value)
+        end if
+        call settle(status, stat, errmsg)
+    end subroutine set_markers_of
+
+    function markers(self, entity, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:)
+
+        call fetch_row_of(amst_mesh_get_markers, self%c_handle(), entity, values, stat, errmsg)
+    end function markers
+
+    subroutine get_markers(self, entity, values, n, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        integer(int32), intent(inout), contiguous :: values(:)
+        integer(int64), intent(out), optional :: n
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call fill_row_of(amst_mesh_get_markers, self%c_handle(), entity, values, n, stat, errmsg)
+    end subroutine get_markers
+
+    function marker_list(self, entity, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32), allocatable :: values(:)
+
+        call fetch_row_of(amst_mesh_get_marker_list, self%c_handle(), entity, values, stat, errmsg)
+    end function marker_list
+
+    subroutine set_marker_name(self, entity, marker, name, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        integer(int32), intent(in) :: entity, marker
+        character(len=*), intent(in) :: name
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+
+        call settle(amst_mesh_set_marker_name(self%c_handle(), entity, marker, to_c(name)), stat, errmsg)
+    end subroutine set_marker_name
+
+    function marker_name(self, entity, marker, stat, errmsg) result(name)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: entity, marker
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        character(len=:), allocatable :: name
+        character(kind=c_char), allocatable :: characters(:)
+        integer(int64) :: needed, i
+        integer(int32) :: status
+
+        needed = 1 ! the zero that ends it
+        status = amst_mesh_get_marker_name(self%c_handle(), entity, marker, capacity=0_int64, needed=needed)
+        allocate (characters(needed))
+        if (status >= 0) status = amst_mesh_get_marker_name(self%c_handle(), entity, marker, characters, needed, needed)
+        if (status < 0) needed = 1
+        allocate (character(len=needed - 1) :: name)
+        do i = 1, needed - 1
+            name(i:i) = characters(i)
+        end do
+        call settle(status, stat, errmsg)
+    end function marker_name
 
     subroutine detect_features(self, angle, found, stat, errmsg)
         class(amst_mesh), intent(inout) :: self

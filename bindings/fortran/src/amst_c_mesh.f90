@@ -222,6 +222,56 @@ module amst_c_mesh
             integer(c_int64_t), intent(inout), optional :: found
         end function amst_mesh_detect_features
 
+        ! markers
+
+        integer(c_int32_t) function amst_mesh_set_markers(mesh, entity, ids, n, value) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: entity
+            integer(c_int32_t), intent(in), optional :: ids(*)
+            integer(c_int64_t), value :: n
+            integer(c_int32_t), value :: value
+        end function amst_mesh_set_markers
+
+        integer(c_int32_t) function amst_mesh_get_markers(mesh, entity, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: entity
+            integer(c_int32_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_markers
+
+        integer(c_int32_t) function amst_mesh_get_marker_list(mesh, entity, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: entity
+            integer(c_int32_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_marker_list
+
+        integer(c_int32_t) function amst_mesh_set_marker_name(mesh, entity, marker, name) bind(c)
+            import :: c_char, c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: entity, marker
+            character(kind=c_char), intent(in), optional :: name(*)
+        end function amst_mesh_set_marker_name
+
+        integer(c_int32_t) function amst_mesh_get_marker_name(mesh, entity, marker, out, capacity, needed) bind(c)
+            import :: c_char, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: entity, marker
+            character(kind=c_char), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_marker_name
+
         ! fields
 
         integer(c_int32_t) function amst_mesh_set_field(mesh, entity, name, components, carry, values, n) bind(c)

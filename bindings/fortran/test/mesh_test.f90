@@ -16,6 +16,7 @@ program mesh_test
     call points_may_change()
     call a_cube_is_all_singular()
     call flags_are_kept()
+    call markers_have_names()
     call features_are_flagged()
     call metrics_have_their_values()
     call savepoints_nest()
@@ -275,6 +276,49 @@ contains
         call mesh%get_singularities(row(:7), n, stat, errmsg)
         call refused(stat, AMST_ERR_BUFFER_TOO_SMALL, errmsg, 'room for 7 of 8')
     end subroutine a_cube_is_all_singular
+
+    subroutine markers_have_names()
+        type(amst_mesh) :: mesh, back
+        integer(int32) :: stat, row(31)
+        integer(int64) :: n
+        character(len=200) :: errmsg
+        character(len=*), parameter :: path = 'fortran_markers.msh'
+
+        call new_grid(mesh, context, 4, 3)
+        call mesh%set_markers(AMST_EDGE, [1, 2], 7)
+        call mesh%set_markers(AMST_EDGE, [integer(int32) ::], 9)
+        call mesh%set_markers(AMST_FACE, 20)
+        call mesh%set_markers(AMST_FACE, [12], -1)
+        call mesh%set_markers(AMST_VERTEX, [8], 77)
+        call mesh%get_markers(AMST_EDGE, row, n)
+        call claim(n == 31 .and. all(row(:2) == 7) .and. all(row(3:) == 0), 'markers of edges')
+        associate (regions => mesh%markers(AMST_FACE))
+            call claim(size(regions) == 12 .and. all(regions(:11) == 20) .and. regions(12) == -1, 'regions')
+        end associate
+        call claim(all(mesh%marker_list(AMST_FACE) == [-1, 20]), 'regions in use')
+        call claim(size(mesh%marker_list(AMST_VERTEX)) == 1, 'points in use')
+        associate (flags => mesh%flags(AMST_VERTEX))
+            call claim(flags(8) == AMST_FLAG_CORNER, 'a point is a corner')
+        end associate
+        call mesh%set_marker_name(AMST_EDGE, 7, 'wall to the left  ')
+        call mesh%set_marker_name(AMST_VERTEX, 77, 'well')
+        call mesh%write(path)
+        call back%read(context, path)
+        call claim(back%checksum() == mesh%checksum(), 'markers come back from a file')
+        call claim(back%marker_name(AMST_EDGE, 7) == 'wall to the left', 'and so do names')
+        call claim(len(back%marker_name(AMST_EDGE, 7)) == 16, 'without blanks behind them')
+        call claim(back%marker_name(AMST_EDGE, 8) == '', 'no name')
+        call back%set_marker_name(AMST_EDGE, 7, '')
+        call claim(len(back%marker_name(AMST_EDGE, 7)) == 0, 'a name is taken away')
+        call mesh%set_markers(AMST_VERTEX, [21], 1, stat, errmsg)
+        call refused(stat, AMST_ERR_RANGE, errmsg, 'a vertex beyond the last')
+        call mesh%set_marker_name(AMST_EDGE, 0, 'none', stat, errmsg)
+        call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'the name of no marker')
+        call claim(mesh%marker_name(9, 1, stat, errmsg) == '', 'a name of no entity')
+        call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'no entity')
+        open (newunit=row(1), file=path)
+        close (row(1), status='delete')
+    end subroutine markers_have_names
 
     subroutine flags_are_kept()
         type(amst_mesh) :: mesh

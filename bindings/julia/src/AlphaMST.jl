@@ -38,6 +38,7 @@ include("array.jl")
 include("options.jl")
 include("context.jl")
 include("mesh.jl")
+include("markers.jl")
 include("field.jl")
 include("cross_field.jl")
 include("surface.jl")
@@ -54,6 +55,7 @@ export progress, set_cancel!, set_log!, set_progress!, set_threads!
 export check, checksum, crossed_edges, detect_features!, dim, edge_faces, edge_faces!, edges, edges!, faces, faces!, find_edges, flags,
     flags!, nedges, nfaces, nvertices, points, points!, revision, set_flags!, set_points!,
     singularities, split_edges, valences, valences!
+export marker_list, marker_name, markers, markers!, set_marker_name!, set_markers!
 export field, field!, remove_field!, set_field!
 export alignment, compute_cross_field!
 export set_projection!

@@ -287,6 +287,11 @@ end
     amst_mesh_set_flags(mesh, entity, ids, n, mask, value) = @ccall amst_mesh_set_flags(mesh::Ptr{amst_mesh}, entity::Int32, ids::Ptr{Int32}, n::Int64, mask::Int32, value::Int32)::Int32
     amst_mesh_get_flags(mesh, entity, out, capacity, needed) = @ccall amst_mesh_get_flags(mesh::Ptr{amst_mesh}, entity::Int32, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_detect_features(mesh, angle, found) = @ccall amst_mesh_detect_features(mesh::Ptr{amst_mesh}, angle::Float64, found::Ptr{Int64})::Int32
+    amst_mesh_set_markers(mesh, entity, ids, n, value) = @ccall amst_mesh_set_markers(mesh::Ptr{amst_mesh}, entity::Int32, ids::Ptr{Int32}, n::Int64, value::Int32)::Int32
+    amst_mesh_get_markers(mesh, entity, out, capacity, needed) = @ccall amst_mesh_get_markers(mesh::Ptr{amst_mesh}, entity::Int32, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_marker_list(mesh, entity, out, capacity, needed) = @ccall amst_mesh_get_marker_list(mesh::Ptr{amst_mesh}, entity::Int32, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_set_marker_name(mesh, entity, marker, name) = @ccall amst_mesh_set_marker_name(mesh::Ptr{amst_mesh}, entity::Int32, marker::Int32, name::Cstring)::Int32
+    amst_mesh_get_marker_name(mesh, entity, marker, out, capacity, needed) = @ccall amst_mesh_get_marker_name(mesh::Ptr{amst_mesh}, entity::Int32, marker::Int32, out::Ptr{Cchar}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_set_field(mesh, entity, name, components, carry, values, n) = @ccall amst_mesh_set_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, components::Int32, carry::Int32, values::Ptr{Float64}, n::Int64)::Int32
     amst_mesh_get_field(mesh, entity, name, out, capacity, needed) = @ccall amst_mesh_get_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, out::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_remove_field(mesh, entity, name) = @ccall amst_mesh_remove_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring)::Int32

@@ -19,8 +19,9 @@ split with `quadrangulate = 1`; all given vertices keep their ids. Strided matri
 are read where they lie; other ones are converted first. Nothing is kept of them.
 
 The format of a file is told by its extension: `.off`, `.obj`, `.ply`, `.msh` (Gmsh 1, 2.2 and
-4.1 ASCII), `.su2`, `.vtk` (legacy). Dim is 2 when every z is 0. Regions and marked edges are kept;
-the boundaries of an `.su2` file get the numbers 1, 2, ... in the order of the file.
+4.1 ASCII), `.su2`, `.vtk` (legacy). Dim is 2 when every z is 0. Numbers of points, boundaries and
+regions are [`markers`](@ref), with their names; the boundaries of an `.su2` file get the numbers 1, 2, ... in
+the order of the file. What numbers could not be kept is told by the log, see [`set_log!`](@ref).
 
 Throws `AlphaMSTError`: ARGUMENT, RANGE (corner), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD, and for files
 IO, FORMAT, UNSUPPORTED.
@@ -57,8 +58,9 @@ end
 """
     write(path, mesh)
 
-Write a mesh to a file of one of the formats that are read but `.su2`, or to an `.svg`, a
-picture with the singularities marked. Throws `AlphaMSTError`: IO, UNSUPPORTED (extension).
+Write a mesh to a file of one of the formats that are read, or to an `.svg`, a picture with the
+singularities marked. All markers and names are kept by `.msh`; what another format has no place for is told by
+the log. Throws `AlphaMSTError`: IO, UNSUPPORTED (extension).
 """
 function Base.write(path::AbstractString, mesh::Mesh)
     demand(amst_mesh_write(mesh, path))
@@ -68,7 +70,7 @@ end
 """
     copy(mesh)
 
-A mesh of its own, in the same context, with flags, fields, revision and projection, without savepoints.
+A mesh of its own, in the same context, with flags, markers, fields, revision and projection, without savepoints.
 """
 Base.copy(mesh::Mesh) =
     Mesh(created(out -> amst_mesh_clone(mesh, out), amst_mesh), mesh.callbacks, mesh.projection)
@@ -344,7 +346,7 @@ detect_features!(mesh::Mesh, angle::Real) =
 """
     mark!(mesh)
 
-Remember points, connectivity, flags and fields; gives the revision that names the savepoint. Savepoints
+Remember points, connectivity, flags, markers and fields; gives the revision that names the savepoint. Savepoints
 nest; of several with one name the latest is meant.
 """
 mark!(mesh::Mesh) = scalar(out -> amst_mesh_mark(mesh, out), Int64)

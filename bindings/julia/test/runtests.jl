@@ -5,7 +5,7 @@ using Test
 include("grid.jl")
 
 @testset "AlphaMST" begin
-    @testset "$noun" for noun in ["library", "error", "options", "mesh", "array", "flags", "field", "cross_field",
+    @testset "$noun" for noun in ["library", "error", "options", "mesh", "array", "flags", "markers", "field", "cross_field",
                                   "surface", "boundary", "savepoint",
                                   "quality", "patches", "operations", "chord", "report", "context", "handle"]
         include("$noun.jl")

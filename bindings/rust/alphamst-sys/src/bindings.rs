@@ -560,6 +560,51 @@ extern "C" {
     pub fn amst_mesh_detect_features(mesh: *mut amst_mesh, angle: f64, found: *mut i64) -> amst_status;
 }
 extern "C" {
+    pub fn amst_mesh_set_markers(
+        mesh: *mut amst_mesh,
+        entity: i32,
+        ids: *const amst_id,
+        n: i64,
+        value: i32,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_markers(
+        mesh: *const amst_mesh,
+        entity: i32,
+        out: *mut i32,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_marker_list(
+        mesh: *const amst_mesh,
+        entity: i32,
+        out: *mut i32,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_set_marker_name(
+        mesh: *mut amst_mesh,
+        entity: i32,
+        marker: i32,
+        name: *const ::std::os::raw::c_char,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_marker_name(
+        mesh: *const amst_mesh,
+        entity: i32,
+        marker: i32,
+        out: *mut ::std::os::raw::c_char,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
     pub fn amst_mesh_set_field(
         mesh: *mut amst_mesh,
         entity: i32,

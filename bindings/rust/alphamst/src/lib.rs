@@ -57,6 +57,7 @@ mod field;
 mod flag;
 mod id;
 mod library;
+mod markers;
 mod mesh;
 mod operation;
 mod options;

@@ -12,7 +12,7 @@ use crate::error::{check, create, must, value};
 use crate::strided::sealed::Sealed;
 use crate::{array, options, Context, Corner, Entity, Error, Options, Result, Strided};
 
-/// A mesh of quadrilaterals with flags, fields and savepoints.
+/// A mesh of quadrilaterals with flags, markers, fields and savepoints.
 pub struct Mesh {
     raw: NonNull<sys::amst_mesh>,
     pub(crate) shared: Arc<Shared>,
@@ -89,11 +89,11 @@ impl Mesh {
     }
 
     /// A mesh from a file: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII) .su2 .vtk (legacy). It has
-    /// dim 2 when every z is 0. Region numbers of faces and boundary numbers of edges in .msh and .vtk
-    /// files are kept and written again; the boundaries of a .su2 file get the numbers 1, 2, ... in the
-    /// order of the file. Borders of regions and marked edges act as [`Flags::FEATURE`]. Triangles become
-    /// quads as in [`Mesh::from_strided`], but none is merged with one of another region or over a
-    /// marked edge.
+    /// dim 2 when every z is 0. Numbers of points, boundaries and regions are [`markers`](Mesh::markers),
+    /// with their names; the boundaries of a .su2 file get the numbers 1, 2, ... in the order of the file.
+    /// What numbers could not be kept is told by the log, see [`Context::set_log`]. Borders of regions and
+    /// marked edges act as [`Flags::FEATURE`]. Triangles become quads as in [`Mesh::from_strided`], but none
+    /// is merged with one of another region or over a marked edge.
     ///
     /// Errors: `Io`, `Format`, `Unsupported` (extension, binary variant), `Argument` (a path that is not
     /// UTF-8) and those of [`Mesh::new`].
@@ -121,8 +121,9 @@ impl Mesh {
         })
     }
 
-    /// Writes a file of the same formats but .su2, or a picture (.svg) with the singularities marked. A failure
-    /// leaves no half-written file.
+    /// Writes a file of the same formats, or a picture (.svg) with the singularities marked. All markers and
+    /// names are kept by .msh; what another format has no place for is told by the log. A failure leaves no
+    /// half-written file.
     ///
     /// Errors: `Io`, `Unsupported` (extension), `Argument` (a path that is not UTF-8).
     ///
@@ -324,7 +325,7 @@ impl Mesh {
     }
 
     /// A digest of coordinates, connectivity, flags and markers; equal for equal meshes. Fields
-    /// are not in it.
+    /// and names of markers are not in it.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
@@ -336,7 +337,7 @@ impl Mesh {
     }
 }
 
-/// A mesh of its own in the same context, with flags, fields, revision and projection, without savepoints.
+/// A mesh of its own in the same context, with flags, markers, fields, revision and projection, without savepoints.
 impl Clone for Mesh {
     fn clone(&self) -> Self {
         let raw = must(self.ask(|mesh| create(|out| unsafe { sys::amst_mesh_clone(mesh, out) })));
