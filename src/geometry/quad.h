@@ -27,8 +27,20 @@ struct QuadPoint {
 // The point of the quad that is nearest to `point`.
 QuadPoint closest_point(const Quad &quad, const Eigen::Vector3d &point);
 
-// What `other` covers of `quad`, seen along the normal of `quad`: an area. Only what faces the same
+// The point of the plane of its nearest triangle that is nearest to `point`: beyond the quad some weights
+// are negative, and a linear function is continued.
+QuadPoint continued_point(const Quad &quad, const Eigen::Vector3d &point);
+
+// The centroid of what it covers; of one without area the centre.
+Eigen::Vector3d centroid(const Quad &quad);
+
+struct Overlap {
+    double area = 0;
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero(); // if there is an area
+};
+
+// What `other` covers of `quad`, seen along the normal of `quad`. Only what faces the same
 // side counts. The overlaps with quads that fill its plane sum up to its area but for rounding.
-double overlap(const Quad &quad, const Quad &other);
+Overlap overlap(const Quad &quad, const Quad &other);
 
 } // namespace alphamst::geometry
