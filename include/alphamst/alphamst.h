@@ -512,13 +512,12 @@ AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, in
  *            that they are taken from, but not those of "size".
  *  CONSERVE  for faces and vertices: values are means over the face, or over what the vertex has: the
  *            quarter of each of its faces between the middles of two edges and the mean of its
- *            corners. The new mean is that of the field before, which is linear on each face (or what a vertex
- *            has): with its mean, and the gradient that fits those around it best, made less steep until
- *            nothing leaves their range. It is not fitted over FEATURE edges, markers and borders of
- *            regions. In a plane linear functions are reproduced but near the boundary. The sum of
- *            value * area (AMST_METRIC_AREA) stays the same over each connected set of those faces; so a
- *            face that was kept but changed its shape gets a new value, too. Where the set itself
- *            gains or loses area in a plane, as AMST_OPT_EDIT_BOUNDARY may do, its mean stays
+ *            corners. The new mean is that of the field before, which is linear on each face (or what a
+ * vertex has): with its mean, and the gradient that fits those around it best, made less steep until nothing
+ * leaves their range. It is not fitted over FEATURE edges, markers and borders of regions. In a plane linear
+ * functions are reproduced but near the boundary. The sum of value * area (AMST_METRIC_AREA) stays the same
+ * over each connected set of those faces; so a face that was kept but changed its shape gets a new value,
+ * too. Where the set itself gains or loses area in a plane, as AMST_OPT_EDIT_BOUNDARY may do, its mean stays
  *            instead, so that constants do; AMST_RESULT_AREA_GAINED tells how much.
  *  AVERAGE   as CONSERVE, but the field before is constant on each face: of first order, it smears more.
  * No rule leaves the range of the values it takes from, but for LINEAR as above, and for CONSERVE and AVERAGE
@@ -544,14 +543,14 @@ AMST_API amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, con
 
 /* What the faces of two meshes of one domain share, for codes that carry their fields themselves, as between
  * amst_mesh_clone of a mesh and that mesh after an operation: rows of a face of `before`, a face of `after`
- * and the area of both, above 0; ascending by the face of `after`, then of `before`, each id from the index base
- * of its mesh. In a plane the rows of a face sum up to its area where the other mesh covers it. Elsewhere
- * faces are seen along the normal of the face of `after`, and faces that look the other way share nothing.
- * All three arrays hold `capacity`; NULL for all tells the number of rows only, and costs as much: n log n
- * for n faces. Errors: ARGUMENT (one mesh has dim 2, the other 3). */
-AMST_API amst_status amst_mesh_get_overlap(const amst_mesh *before, const amst_mesh *after, amst_id *before_faces,
-                                           amst_id *after_faces, double *areas, int64_t capacity,
-                                           int64_t *needed);
+ * and the area of both, above 0; ascending by the face of `after`, then of `before`, each id from the index
+ * base of its mesh. In a plane the rows of a face sum up to its area where the other mesh covers it.
+ * Elsewhere faces are seen along the normal of the face of `after`, and faces that look the other way share
+ * nothing. All three arrays hold `capacity`; NULL for all tells the number of rows only, and costs as much: n
+ * log n for n faces. Errors: ARGUMENT (one mesh has dim 2, the other 3). */
+AMST_API amst_status amst_mesh_get_overlap(const amst_mesh *before, const amst_mesh *after,
+                                           amst_id *before_faces, amst_id *after_faces, double *areas,
+                                           int64_t capacity, int64_t *needed);
 
 /* A new face field "cross", of AMST_CARRY_INHERIT, in the place of any old one: directions
  * of length 1 in the planes of the faces. They are along the edges on the boundary, on

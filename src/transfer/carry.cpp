@@ -121,7 +121,7 @@ public:
         for (std::size_t i = 0; i < origin.size(); ++i)
             if (origin[i] >= 0)
                 std::copy_n(&field.values[at(origin[i]) * width], width, &result->values[i * width]);
-        if (changed_.before.empty() || changed_.after.empty())
+        if (changed_.before.empty())
             return result;
         if (is_conserved(field)) {
             conserve(field, result->values);

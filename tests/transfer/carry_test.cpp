@@ -261,8 +261,10 @@ TEST(CarryThroughSmooth, FieldsFollowThePoints) {
     for (int v = 0; v < mesh.n_vertices(); ++v) {
         EXPECT_NEAR(get(after, Entity::vertex, "linear")[at(v)], f(after.point(v)), 1e-12);
         if (after.point(v) == mesh.point(v)) {
-            EXPECT_EQ(get(after, Entity::vertex, "linear")[at(v)], get(mesh, Entity::vertex, "linear")[at(v)]);
-            EXPECT_EQ(get(after, Entity::vertex, "random")[at(v)], get(mesh, Entity::vertex, "random")[at(v)]);
+            EXPECT_EQ(get(after, Entity::vertex, "linear")[at(v)],
+                      get(mesh, Entity::vertex, "linear")[at(v)]);
+            EXPECT_EQ(get(after, Entity::vertex, "random")[at(v)],
+                      get(mesh, Entity::vertex, "random")[at(v)]);
         }
     }
 }

@@ -54,7 +54,7 @@ export progress, set_cancel!, set_log!, set_progress!, set_threads!
 export check, checksum, crossed_edges, detect_features!, dim, edge_faces, edge_faces!, edges, edges!, faces, faces!, find_edges, flags,
     flags!, nedges, nfaces, nvertices, points, points!, revision, set_flags!, set_points!,
     singularities, split_edges, valences, valences!
-export field, field!, remove_field!, set_field!
+export field, field!, overlap, remove_field!, set_field!
 export alignment, compute_cross_field!
 export set_projection!
 export set_surface!
