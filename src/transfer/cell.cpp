@@ -26,13 +26,15 @@ void sort(std::vector<int> &cells) {
 
 int Cells::count() const { return entity_ == Entity::face ? mesh_.n_faces() : mesh_.n_vertices(); }
 
-std::vector<Cells::Part> Cells::parts(int face) const {
+Cells::Parts Cells::parts(int face) const {
     const Quad quad = reference::quad_of(mesh_, face);
-    if (entity_ == Entity::face)
-        return {{face, quad}};
-    std::vector<Part> parts;
+    Parts parts;
+    if (entity_ == Entity::face) {
+        parts.all[parts.count++] = {face, quad};
+        return parts;
+    }
     for (std::size_t i = 0; i < 4; ++i)
-        parts.push_back({mesh_.corners(face)[i], quarter(quad, i)});
+        parts.all[parts.count++] = {mesh_.corners(face)[i], quarter(quad, i)};
     return parts;
 }
 

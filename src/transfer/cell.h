@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "failure.h"
@@ -25,8 +26,14 @@ public:
         int cell;
         geometry::Quad quad;
     };
+    struct Parts {
+        std::array<Part, 4> all;
+        std::size_t count = 0;
+        const Part *begin() const { return all.data(); }
+        const Part *end() const { return all.data() + count; }
+    };
     // What cells own of one face, which they cover together.
-    std::vector<Part> parts(int face) const;
+    Parts parts(int face) const;
     // Cells that own a part of one of the faces, ascending.
     std::vector<int> of(const std::vector<int> &faces) const;
 

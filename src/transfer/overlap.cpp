@@ -12,7 +12,7 @@ std::vector<Overlap> overlaps(const Cells &before, const reference::FaceTree &tr
     std::vector<int> near;
     for (const int face : faces) {
         tree.around(reference::quad_of(after.mesh(), face), near);
-        const std::vector<Cells::Part> parts = after.parts(face);
+        const Cells::Parts parts = after.parts(face);
         for (const int other : near)
             for (const Cells::Part &theirs : before.parts(other))
                 for (const Cells::Part &mine : parts) {
