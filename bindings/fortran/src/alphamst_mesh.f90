@@ -7,7 +7,8 @@
 module alphamst_mesh
     use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
-    use amst_c, only: AMST_ERR_BUFFER_TOO_SMALL, AMST_FACE, amst_mesh_check, amst_mesh_clone, amst_mesh_compute_cross_field, amst_mesh_create, &
+    use amst_c, only: AMST_ERR_BUFFER_TOO_SMALL, AMST_FACE, &
+        amst_mesh_check, amst_mesh_clone, amst_mesh_compute_cross_field, amst_mesh_create, &
         amst_mesh_create_i64, &
         amst_mesh_destroy, amst_mesh_detect_features, amst_mesh_find_edges, amst_mesh_forget, &
         amst_mesh_get_alignment, amst_mesh_get_checksum, amst_mesh_get_chord, amst_mesh_get_chord_ids, amst_mesh_get_chords, &
@@ -120,8 +121,9 @@ module alphamst_mesh
         !> a field of that name there is replaced. Operations keep the values of what they keep; an
         !> AMST_CARRY_* gives others theirs: LINEAR (vertices, also where they have moved) interpolates;
         !> CONSERVE and AVERAGE (faces, or the quarters of faces at vertices) keep the sum of value and area,
-        !> CONSERVE with linear values before, AVERAGE with constant ones. The library reads 'size' (AMST_VERTEX, one number above
-        !> 0): the wanted edge length; and 'cross' (AMST_FACE, three numbers), see compute_cross_field.
+        !> CONSERVE with linear values before, AVERAGE with constant ones. The library reads 'size'
+        !> (AMST_VERTEX, one number above 0): the wanted edge length; and 'cross' (AMST_FACE, three numbers),
+        !> see compute_cross_field.
         !> Errors: ARGUMENT (entity, name empty, name or carry not for this entity), RANGE (extents, a size
         !> not above 0), NOT_FINITE.
         generic :: set_field => set_field_of_one, set_field_of_several
