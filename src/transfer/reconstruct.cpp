@@ -17,16 +17,20 @@ constexpr double thin = 1e-6; // its square
 } // namespace
 
 Reconstruction::Reconstruction(const Cells &before, std::vector<Overlap> overlaps)
-    : overlaps_(std::move(overlaps)) {
+    : before_(before), overlaps_(std::move(overlaps)) {
     std::stable_sort(overlaps_.begin(), overlaps_.end(),
                      [](const Overlap &a, const Overlap &b) { return a.after < b.after; });
-    std::vector<int> stencil(at(before.count()), -1);
+}
+
+void Reconstruction::fit() {
+    std::vector<int> stencil(at(before_.count()), -1);
+    std::vector<std::optional<Vector3d>> centroids(stencil.size()); // those asked for
     for (const Overlap &overlap : overlaps_)
         stencil[at(overlap.before)] = 0;
-    for (int cell = 0; cell < before.count(); ++cell)
+    for (int cell = 0; cell < before_.count(); ++cell)
         if (stencil[at(cell)] == 0) {
             stencil[at(cell)] = static_cast<int>(stencils_.size());
-            fit(before, cell);
+            fit(cell, centroids);
         }
     stencil_of_.reserve(overlaps_.size());
     for (const Overlap &overlap : overlaps_)
@@ -34,15 +38,18 @@ Reconstruction::Reconstruction(const Cells &before, std::vector<Overlap> overlap
 }
 
 // Neighbours count by the inverse square of their distance.
-void Reconstruction::fit(const Cells &before, int cell) {
-    const Cells::Place place = before.place(cell);
+void Reconstruction::fit(int cell, std::vector<std::optional<Vector3d>> &centroids) {
+    const Cells::Place place = before_.place(cell);
     const Vector3d normal = place.normal.stableNormalized();
     const Vector3d across = normal.unitOrthogonal(), up = normal.cross(across);
     const std::size_t begin = neighbours_.size();
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
     std::vector<Vector2d> pulls;
-    for (const int other : before.neighbours(cell)) {
-        const Vector3d away = before.place(other).centroid - place.centroid;
+    for (const int other : before_.neighbours(cell)) {
+        std::optional<Vector3d> &centroid = centroids[at(other)];
+        if (!centroid)
+            centroid = before_.place(other).centroid;
+        const Vector3d away = *centroid - place.centroid;
         const Vector2d flat(across.dot(away), up.dot(away));
         const double square = flat.squaredNorm();
         neighbours_.push_back(other);
@@ -93,8 +100,10 @@ std::vector<Reconstruction::Slope> Reconstruction::slopes(std::span<const double
 }
 
 void Reconstruction::average(std::span<const double> from, std::span<double> to, int components,
-                             bool linear) const {
+                             bool linear) {
     const std::size_t width = at(components);
+    if (linear && stencils_.empty())
+        fit();
     for (std::size_t c = 0; c < width; ++c) {
         const std::vector<Slope> found = linear ? slopes(from, width, c) : std::vector<Slope>();
         const auto value = [&](std::size_t i) {

@@ -156,7 +156,8 @@ impl Mesh {
         // Mostly enough, so that the work is done once: a face meets about four, on either side.
         let mut capacity = 4 * (self.n_faces() + after.n_faces());
         loop {
-            let (mut ids, mut others, mut areas) = (vec![0; capacity], vec![0; capacity], vec![0.0; capacity]);
+            let (mut ids, mut others, mut areas) =
+                (vec![0; capacity], vec![0; capacity], vec![0.0; capacity]);
             let mut needed = 0;
             // SAFETY: the handles are valid, nobody changes the meshes during the call, which writes at most
             // the capacity.
@@ -169,7 +170,11 @@ impl Mesh {
                 check(status)?;
                 let rows = ids.into_iter().zip(others).zip(areas).take(array::count(needed));
                 return Ok(rows
-                    .map(|((before, after), area)| Overlap { before: before.into(), after: after.into(), area })
+                    .map(|((before, after), area)| Overlap {
+                        before: before.into(),
+                        after: after.into(),
+                        area,
+                    })
                     .collect());
             }
             capacity = array::count(needed);

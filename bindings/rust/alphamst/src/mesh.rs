@@ -157,7 +157,8 @@ impl Mesh {
         call: impl FnOnce(*const sys::amst_mesh, *const sys::amst_mesh) -> R,
     ) -> R {
         if Arc::ptr_eq(&self.shared, &other.shared) {
-            return self.ask(|mesh| call(mesh, other.raw.as_ptr().cast_const())); // one turn is for both
+            return self.ask(|mesh| call(mesh, other.raw.as_ptr().cast_const()));
+            // one turn is for both
         }
         self.ask(|mesh| other.ask(|other| call(mesh, other)))
     }

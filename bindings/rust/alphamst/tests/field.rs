@@ -89,7 +89,9 @@ fn rows_of_overlaps_sum_up_to_areas() {
     let elsewhere = grid::mesh(&Context::new(), 10, 10); // of another context
     for before in [&old, &elsewhere] {
         let rows = before.overlap(&mesh).unwrap();
-        assert!(rows.windows(2).all(|pair| (pair[0].after, pair[0].before) < (pair[1].after, pair[1].before)));
+        assert!(rows
+            .windows(2)
+            .all(|pair| (pair[0].after, pair[0].before) < (pair[1].after, pair[1].before)));
         let mut sums = vec![0.0; mesh.n_faces()];
         rows.iter().for_each(|row| sums[row.after.index()] += row.area);
         assert!(sums.iter().zip(mesh.quality(Metric::Area)).all(|(sum, area)| (sum - area).abs() < 1e-12));
