@@ -510,14 +510,16 @@ AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, in
  *            of those faces, each as two triangles. In a plane linear functions are reproduced; beyond the
  *            boundary as it was the nearest face is continued, so that values may leave the range of those
  *            that they are taken from, but not those of "size".
- *  CONSERVE  for faces and vertices: values are means over the face, or over what the vertex has: the
- *            quarter of each of its faces between the middles of two edges and the mean of its
- *            corners. The new mean is that of the field before, which is linear on each face (or what a
- * vertex has): with its mean, and the gradient that fits those around it best, made less steep until nothing
- * leaves their range. It is not fitted over FEATURE edges, markers and borders of regions. In a plane linear
- * functions are reproduced but near the boundary. The sum of value * area (AMST_METRIC_AREA) stays the same
- * over each connected set of those faces; so a face that was kept but changed its shape gets a new value,
- * too. Where the set itself gains or loses area in a plane, as AMST_OPT_EDIT_BOUNDARY may do, its mean stays
+ *  CONSERVE  for faces and vertices: values are means over the face, or over what the vertex
+ *            has: the quarter of each of its faces between the middles of two edges and the mean of
+ *            its corners. The new mean is that of the field before, which is linear on each face
+ *            (or what a vertex has): with its mean, and the gradient that fits those around it
+ *            best, made less steep until nothing leaves their range. On faces it is not fitted
+ *            over FEATURE edges, markers and borders of regions. In a plane linear functions are
+ *            reproduced but near the boundary. The sum of value * area (AMST_METRIC_AREA) stays the
+ *            same over each connected set of those faces; so a face that was kept but changed its
+ *            shape gets a new value, too. Where the set itself
+ *            gains or loses area in a plane, as AMST_OPT_EDIT_BOUNDARY may do, its mean stays
  *            instead, so that constants do; AMST_RESULT_AREA_GAINED tells how much.
  *  AVERAGE   as CONSERVE, but the field before is constant on each face: of first order, it smears more.
  * No rule leaves the range of the values it takes from, but for LINEAR as above, and for CONSERVE and AVERAGE

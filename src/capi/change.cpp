@@ -74,7 +74,8 @@ void include(Report::Row &all, const Report::Row &row, bool first) {
     all.shortest_edge_after = std::fmin(all.shortest_edge_after, row.shortest_edge_after);
 }
 
-// [edges] The origin of each that has the same vertices as that; -1 for the others, which may be pieces of it.
+// [edges] The origin of each that has the same vertices as that; -1 for the others, which may be pieces of
+// it.
 std::vector<std::int32_t> same_edges(const mesh::QuadMesh &before, const mesh::QuadMesh &after) {
     std::vector<std::int32_t> origin = after.edge_origin;
     for (std::size_t e = 0; e < origin.size(); ++e) {

@@ -132,7 +132,7 @@ QuadPoint continued_point(const Quad &quad, const Vector3d &point) {
     return continued;
 }
 
-Vector3d centroid(const Quad &quad) {
+Vector3d area_centroid(const Quad &quad) {
     const Vector3d normal = normal_of(quad);
     Vector3d sum = Vector3d::Zero();
     double size = 0;
@@ -145,7 +145,7 @@ Vector3d centroid(const Quad &quad) {
     return size > 0 ? Vector3d(quad[0] + sum / (3 * size)) : centre(quad);
 }
 
-Overlap overlap(const Quad &quad, const Quad &other) {
+Intersection overlap(const Quad &quad, const Quad &other) {
     const Vector3d normal = normal_of(quad).stableNormalized();
     if (!(normal.dot(normal_of(other)) > 0))
         return {};

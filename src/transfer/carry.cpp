@@ -240,7 +240,7 @@ private:
                         if (part.cell == cell) {
                             found.push_back({after_.vertex_origin[at(cell)], cell,
                                              geometry::area_vector(part.quad).norm(),
-                                             geometry::centroid(part.quad)});
+                                             geometry::area_centroid(part.quad)});
                             has[at(cell)] = 1;
                         }
                 }

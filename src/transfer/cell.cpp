@@ -69,7 +69,7 @@ double Cells::area(int cell) const {
 
 Cells::Place Cells::place(int cell) const {
     const std::vector<Quad> parts = quads(cell);
-    Place place{geometry::centroid(parts.front()), geometry::area_vector(parts.front())};
+    Place place{geometry::area_centroid(parts.front()), geometry::area_vector(parts.front())};
     if (parts.size() == 1)
         return place;
     const Vector3d from = place.centroid;
@@ -79,7 +79,7 @@ Cells::Place Cells::place(int cell) const {
         const Vector3d normal = geometry::area_vector(parts[i]);
         place.normal += normal;
         area += normal.norm();
-        moment += normal.norm() * (geometry::centroid(parts[i]) - from);
+        moment += normal.norm() * (geometry::area_centroid(parts[i]) - from);
     }
     if (area > 0)
         place.centroid += moment / area;

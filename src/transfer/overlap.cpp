@@ -42,7 +42,7 @@ std::vector<Overlap> overlaps(const Cells &before, const reference::FaceTree &tr
                     if (!ball.meets(balls[i]))
                         continue;
                     const Cells::Part &mine = parts.all[i];
-                    const geometry::Overlap shared = geometry::overlap(mine.quad, theirs.quad);
+                    const geometry::Intersection shared = geometry::overlap(mine.quad, theirs.quad);
                     if (shared.area > 0)
                         found.push_back({theirs.cell, mine.cell, shared.area, shared.centroid});
                 }

@@ -100,14 +100,14 @@ TEST(Quad, OverlapHasACentroid) {
     };
     expect(square, square, {0.5, 0.5, 0});
     expect(square, flat(0.5, 0.25, 1.5, 0.25, 1.5, 1.25, 0.5, 1.25), {0.75, 0.625, 0});
-    expect(flat(0, 0, 2, 0, 2, 2, 0, 2), dart, centroid(dart));
+    expect(flat(0, 0, 2, 0, 2, 2, 0, 2), dart, area_centroid(dart));
     expect(flat(-9, -9, 9, -9, 0, 9, -9, 9), flat(1, 1, 4, 1, 1, 4, 1, 2), {2, 2, 0}); // a triangle
 }
 
 TEST(Quad, CentroidIsThatOfTheArea) {
-    EXPECT_LT((centroid(square) - Eigen::Vector3d(0.5, 0.5, 0)).norm(), 1e-15);
-    EXPECT_LT((centroid(flat(1, 1, 4, 1, 1, 4, 1, 2)) - Eigen::Vector3d(2, 2, 0)).norm(), 1e-15);
-    EXPECT_LT((centroid(flat(1, 1, 1, 1, 1, 1, 1, 1)) - Eigen::Vector3d(1, 1, 0)).norm(), 1e-15);
+    EXPECT_LT((area_centroid(square) - Eigen::Vector3d(0.5, 0.5, 0)).norm(), 1e-15);
+    EXPECT_LT((area_centroid(flat(1, 1, 4, 1, 1, 4, 1, 2)) - Eigen::Vector3d(2, 2, 0)).norm(), 1e-15);
+    EXPECT_LT((area_centroid(flat(1, 1, 1, 1, 1, 1, 1, 1)) - Eigen::Vector3d(1, 1, 0)).norm(), 1e-15);
 }
 
 // Linear functions go on beyond the quad; from a triangle that is nearly a line nothing can be told.
