@@ -97,8 +97,9 @@ void change(QuadMesh &mesh, std::mt19937 &random) {
     if (settings.edit_boundary)
         reference::keep_boundary(mesh, {}, settings.tolerance);
     std::vector<Patch> patches = some_patch(mesh, random);
+    const std::vector<char> none(at(mesh.n_faces()), 0);
     const bool whole = patches[0].faces.empty() || random() % 2 == 0;
-    switch (random() % 5) {
+    switch (random() % 7) {
     case 0:
         smooth::smooth(mesh, whole ? nullptr : &patches, settings, silent);
         return;
@@ -108,6 +109,18 @@ void change(QuadMesh &mesh, std::mt19937 &random) {
     case 2:
         edit_chord(mesh, random, settings);
         return;
+    case 3:
+        if (whole)
+            adapt::reduce_whole(mesh, settings, silent);
+        else
+            adapt::reduce_singularities(mesh, patches, settings, silent);
+        return;
+    case 4: {
+        const int middle = static_cast<int>(random() % static_cast<unsigned>(mesh.n_vertices()));
+        patches[0].faces = patch::repair(mesh, patch::rings(mesh, middle, 2, none), none);
+        chords::insert_chords(mesh, patches, 1, settings, silent);
+        return;
+    }
     default:
         if (whole)
             adapt::adapt_whole(mesh, alpha, settings, silent);
