@@ -127,7 +127,8 @@ enum amst_carry {
     AMST_CARRY_DROP = 0,     /* removed when connectivity changes */
     AMST_CARRY_INHERIT = 1,  /* value of the nearest entity that was replaced */
     AMST_CARRY_LINEAR = 2,   /* interpolated linearly; vertices */
-    AMST_CARRY_CONSERVE = 3, /* averaged by area, integral kept (mean, where the area changes); faces */
+    AMST_CARRY_CONSERVE = 3, /* integral kept, linear on each face before; faces, vertices */
+    AMST_CARRY_AVERAGE = 4,  /* integral kept, constant on each face before; faces, vertices */
     AMST_CARRY_MAX = 0x7fffffff
 };
 
@@ -540,16 +541,27 @@ AMST_API amst_status amst_mesh_get_marker_name(const amst_mesh *mesh, int32_t en
  * shape it changed:
  *  DROP      the field is removed by an operation that changes connectivity.
  *  INHERIT   the value of the nearest entity at those faces, measured between points,
- *            midpoints of edges and centroids of faces; the smallest id of several.
- *  LINEAR    for vertices: interpolated in the triangles of those faces at the nearest
- *            point of them. Where they are plane, linear functions are reproduced.
- *  CONSERVE  for faces: what the face covers of those faces, averaged by area. The sum of
- *            value * AMST_METRIC_AREA stays the same over each connected set of them; so a
- *            face that was kept but changed its shape gets a new value, too. Where the set itself
+ *            midpoints of edges and centroids of faces; the smallest id of several. Edges on the
+ *            boundary take from such edges only, edges inside from edges inside, of the same marker if there
+ *            is one; 0 where there was none.
+ *  LINEAR    for vertices, and those that have moved are as good as new: interpolated at the nearest point
+ *            of those faces, each as two triangles. In a plane linear functions are reproduced; beyond the
+ *            boundary as it was the nearest face is continued, so that values may leave the range of those
+ *            that they are taken from, but not those of "size".
+ *  CONSERVE  for faces and vertices: values are means over the face, or over what the vertex
+ *            has: the quarter of each of its faces between the middles of two edges and the mean of
+ *            its corners. The new mean is that of the field before, which is linear on each face
+ *            (or what a vertex has): with its mean, and the gradient that fits those around it
+ *            best, made less steep until nothing leaves their range. On faces it is not fitted
+ *            over FEATURE edges, markers and borders of regions. In a plane linear functions are
+ *            reproduced but near the boundary. The sum of value * area (AMST_METRIC_AREA) stays the
+ *            same over each connected set of those faces; so a face that was kept but changed its
+ *            shape gets a new value, too. Where the set itself
  *            gains or loses area in a plane, as AMST_OPT_EDIT_BOUNDARY may do, its mean stays
  *            instead, so that constants do; AMST_RESULT_AREA_GAINED tells how much.
- * No rule leaves the range of the values it takes from, but for CONSERVE on curved faces.
- * A vertex that moves keeps its values, as in amst_mesh_set_points, which leaves all
+ *  AVERAGE   as CONSERVE, but the field before is constant on each face: of first order, it smears more.
+ * No rule leaves the range of the values it takes from, but for LINEAR as above, and for CONSERVE and AVERAGE
+ * on curved faces and where the area changes. amst_mesh_set_points leaves all
  * fields as they are. Names are UTF-8. The library reads "size" (vertices, 1 component):
  * the wanted edge length, above 0; and "cross" (faces, 3 components, also for dim 2): a
  * direction that edges shall have there, or one at right angles to it; 0 0 0 for none.
@@ -568,6 +580,17 @@ AMST_API amst_status amst_mesh_get_field(const amst_mesh *mesh, int32_t entity, 
                                          int64_t capacity, int64_t *needed);
 /* Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
 AMST_API amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, const char *name);
+
+/* What the faces of two meshes of one domain share, for codes that carry their fields themselves, as between
+ * amst_mesh_clone of a mesh and that mesh after an operation: rows of a face of `before`, a face of `after`
+ * and the area of both, above 0; ascending by the face of `after`, then of `before`, each id from the index
+ * base of its mesh. In a plane the rows of a face sum up to its area where the other mesh covers it.
+ * Elsewhere faces are seen along the normal of the face of `after`, and faces that look the other way share
+ * nothing. All three arrays hold `capacity`; NULL for all tells the number of rows only, and costs as much: n
+ * log n for n faces. Errors: ARGUMENT (one mesh has dim 2, the other 3). */
+AMST_API amst_status amst_mesh_get_overlap(const amst_mesh *before, const amst_mesh *after,
+                                           amst_id *before_faces, amst_id *after_faces, double *areas,
+                                           int64_t capacity, int64_t *needed);
 
 /* A new face field "cross", of AMST_CARRY_INHERIT, in the place of any old one: directions
  * of length 1 in the planes of the faces. They are along the edges on the boundary, on
@@ -859,9 +882,9 @@ AMST_API amst_status amst_mesh_get_chords(const amst_mesh *mesh, int32_t propert
 AMST_API amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_options *options,
                                          amst_report **report);
 /* Cut the chord through edge into n + 1 parallel ones, n >= 1; a face where it crosses
- * itself into (n + 1)^2. No vertex becomes singular. The vertices, edges and faces that
- * are there stay; as origin all pieces have what they are part of. An open chord puts
- * vertices on the boundary and is only split if AMST_OPT_EDIT_BOUNDARY allows that.
+ * itself into (n + 1)^2. No vertex becomes singular. The vertices that are there stay; pieces of
+ * edges and faces have their flags and markers, and their values in fields of AMST_CARRY_INHERIT. An open
+ * chord puts vertices on the boundary and is only split if AMST_OPT_EDIT_BOUNDARY allows that.
  * Errors: RANGE (edge, n, size of the mesh), CHORD, GEOMETRY. */
 AMST_API amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, int32_t n, const amst_options *options,
                                       amst_report **report);
@@ -899,8 +922,10 @@ AMST_API amst_status amst_report_get_real(const amst_report *report, amst_id pat
  * of AMST_ALL are the ones of the whole mesh. */
 AMST_API amst_status amst_report_get_valence(const amst_report *report, amst_id patch, int32_t after,
                                              int32_t valence, int64_t *count);
-/* For each vertex, edge or face of the mesh after the operation the one it was before,
- * "none" if it is new. Errors: ARGUMENT (entity). */
+/* For each vertex, edge or face of the mesh after the operation the one it was before, "none" if
+ * there is none. Vertices are the same if they were kept, though they may have moved; edges and faces if
+ * their vertices are the same. So nothing is named twice: pieces of an edge or a face that was cut are new;
+ * amst_mesh_get_overlap tells what they are part of. Errors: ARGUMENT (entity). */
 AMST_API amst_status amst_report_get_origin(const amst_report *report, int32_t entity, amst_id *out,
                                             int64_t capacity, int64_t *needed);
 

@@ -74,6 +74,34 @@ void include(Report::Row &all, const Report::Row &row, bool first) {
     all.shortest_edge_after = std::fmin(all.shortest_edge_after, row.shortest_edge_after);
 }
 
+// [edges] The origin of each that has the same vertices as that; -1 for the others, which may be pieces of
+// it.
+std::vector<std::int32_t> same_edges(const mesh::QuadMesh &before, const mesh::QuadMesh &after) {
+    std::vector<std::int32_t> origin = after.edge_origin;
+    for (std::size_t e = 0; e < origin.size(); ++e) {
+        std::array<int, 2> ends = after.edge_vertices(static_cast<int>(e));
+        for (int &v : ends)
+            v = after.vertex_origin[at(v)];
+        std::sort(ends.begin(), ends.end());
+        if (origin[e] >= 0 && ends != before.edge_vertices(origin[e]))
+            origin[e] = -1;
+    }
+    return origin;
+}
+
+// [faces] Likewise.
+std::vector<std::int32_t> same_faces(const mesh::QuadMesh &before, const mesh::QuadMesh &after) {
+    std::vector<std::int32_t> origin = after.face_origin;
+    for (std::size_t f = 0; f < origin.size(); ++f) {
+        std::array<int, 4> corners = after.corners(static_cast<int>(f));
+        for (int &v : corners)
+            v = after.vertex_origin[at(v)];
+        if (origin[f] >= 0 && corners != before.corners(origin[f]))
+            origin[f] = -1;
+    }
+    return origin;
+}
+
 // Root mean square over the faces of the patches that have such an error; NaN if none has.
 double rms(const std::vector<Outcome> &outcomes, double Outcome::*error, std::int64_t Outcome::*faces) {
     double sum = 0, weight = 0;
@@ -187,8 +215,8 @@ void Change::describe_meshes(Report &report) const {
     report.all.time_step =
         reference::time_step_ratio(reference::time_step(*mesh_->current), reference::time_step(*copy_));
     report.vertices = {copy_->n_vertices(), copy_->vertex_origin};
-    report.edges = {copy_->n_edges(), copy_->edge_origin};
-    report.faces = {copy_->n_faces(), copy_->face_origin};
+    report.edges = {copy_->n_edges(), same_edges(*mesh_->current, *copy_)};
+    report.faces = {copy_->n_faces(), same_faces(*mesh_->current, *copy_)};
 }
 
 // Why it is not what was asked for; empty if it is.

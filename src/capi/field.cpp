@@ -19,7 +19,8 @@ constexpr std::string_view cross_name = "cross";
 static_assert(int{AMST_CARRY_DROP} == static_cast<int>(mesh::Carry::drop) &&
               int{AMST_CARRY_INHERIT} == static_cast<int>(mesh::Carry::inherit) &&
               int{AMST_CARRY_LINEAR} == static_cast<int>(mesh::Carry::linear) &&
-              int{AMST_CARRY_CONSERVE} == static_cast<int>(mesh::Carry::conserve));
+              int{AMST_CARRY_CONSERVE} == static_cast<int>(mesh::Carry::conserve) &&
+              int{AMST_CARRY_AVERAGE} == static_cast<int>(mesh::Carry::average));
 
 std::string plural(Entity entity) {
     return entity == Entity::vertex ? "vertices" : entity == Entity::edge ? "edges" : "faces";
@@ -37,16 +38,17 @@ std::string_view name_of(const char *name) {
 }
 
 mesh::Carry carry_of(std::int32_t carry, Entity entity) {
-    if (carry < AMST_CARRY_DROP || carry > AMST_CARRY_CONSERVE)
+    if (carry < AMST_CARRY_DROP || carry > AMST_CARRY_AVERAGE)
         throw Failure(Fault::argument,
-                      "carry must be AMST_CARRY_DROP, _INHERIT, _LINEAR or _CONSERVE, it is " +
+                      "carry must be AMST_CARRY_DROP, _INHERIT, _LINEAR, _CONSERVE or _AVERAGE, it is " +
                           std::to_string(carry));
     if (carry == AMST_CARRY_LINEAR && entity != Entity::vertex)
         throw Failure(Fault::argument,
                       "AMST_CARRY_LINEAR is for fields on vertices, not on " + plural(entity));
-    if (carry == AMST_CARRY_CONSERVE && entity != Entity::face)
-        throw Failure(Fault::argument,
-                      "AMST_CARRY_CONSERVE is for fields on faces, not on " + plural(entity));
+    if ((carry == AMST_CARRY_CONSERVE || carry == AMST_CARRY_AVERAGE) && entity == Entity::edge)
+        throw Failure(Fault::argument, std::string("AMST_CARRY_") +
+                                           (carry == AMST_CARRY_CONSERVE ? "CONSERVE" : "AVERAGE") +
+                                           " is for fields on faces or vertices, not on edges");
     return static_cast<mesh::Carry>(carry);
 }
 

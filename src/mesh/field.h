@@ -12,7 +12,7 @@
 namespace alphamst::mesh {
 
 // Numbers equal those of enum amst_carry.
-enum class Carry { drop = 0, inherit = 1, linear = 2, conserve = 3 };
+enum class Carry { drop = 0, inherit = 1, linear = 2, conserve = 3, average = 4 };
 
 struct Field {
     Entity entity = Entity::vertex;

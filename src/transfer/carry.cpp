@@ -1,14 +1,16 @@
 #include "transfer/carry.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "index.h"
-#include "reference/locate.h"
 #include "transfer/conserve.h"
+#include "transfer/reconstruct.h"
 
 namespace alphamst::transfer {
 namespace {
@@ -23,14 +25,52 @@ const std::vector<std::int32_t> &origins(const QuadMesh &mesh, Entity entity) {
                                     : mesh.face_origin;
 }
 
+bool same_point(const QuadMesh &before, const QuadMesh &after, int v) {
+    const std::int32_t origin = after.vertex_origin[at(v)];
+    return origin >= 0 && before.point(origin) == after.point(v);
+}
+
 // Whether the corners are the same vertices where they were.
 bool same_place(const QuadMesh &before, const QuadMesh &after, int face) {
-    for (const int v : after.corners(face)) {
-        const std::int32_t origin = after.vertex_origin[at(v)];
-        if (origin < 0 || before.point(origin) != after.point(v))
-            return false;
+    const std::array<int, 4> corners = after.corners(face);
+    return std::all_of(corners.begin(), corners.end(), [&](int v) { return same_point(before, after, v); });
+}
+
+bool on_boundary(const QuadMesh &mesh, int edge) {
+    const std::array<int, 2> faces = mesh.edge_faces(edge);
+    return faces[0] < 0 || faces[1] < 0;
+}
+
+// Of an edge whether it is on the boundary, and its number: values of one kind do not go to another.
+using Kind = std::pair<bool, std::optional<std::int32_t>>;
+
+Kind kind_of(const QuadMesh &mesh, Entity entity, int i) {
+    if (entity != Entity::edge)
+        return {false, 0};
+    return {on_boundary(mesh, i), mesh.edge_marker.empty() ? 0 : mesh.edge_marker[at(i)]};
+}
+
+// Of which the nearest is wanted.
+class Candidates {
+public:
+    void add(int entity, const Vector3d &place) {
+        entities_.push_back(entity);
+        places_.push_back(place);
     }
-    return true;
+    int nearest(const Vector3d &place) {
+        if (!tree_)
+            tree_.emplace(places_);
+        return entities_[tree_->nearest(place)];
+    }
+
+private:
+    std::vector<int> entities_;
+    std::vector<Vector3d> places_;
+    std::optional<reference::PointTree> tree_;
+};
+
+bool is_conserved(const Field &field) {
+    return field.carry == mesh::Carry::conserve || field.carry == mesh::Carry::average;
 }
 
 Changed changed_faces(const QuadMesh &before, const QuadMesh &after) {
@@ -70,6 +110,8 @@ public:
     Carrier(const QuadMesh &before, const QuadMesh &after)
         : before_(before), after_(after), changed_(changed_faces(before, after)) {}
 
+    bool nothing_changed() const { return changed_.before.empty() && changed_.after.empty(); }
+
     // The field of the mesh after the operation.
     std::shared_ptr<const Field> carried(const Field &field) {
         auto result = std::make_shared<Field>(field);
@@ -79,11 +121,13 @@ public:
         for (std::size_t i = 0; i < origin.size(); ++i)
             if (origin[i] >= 0)
                 std::copy_n(&field.values[at(origin[i]) * width], width, &result->values[i * width]);
-        average(rule(field), field.values, result->values, width);
-        if (field.carry == mesh::Carry::conserve) {
-            if (!regions_)
-                regions_.emplace(before_, after_, changed_);
-            regions_->conserve(field.values, result->values, field.components);
+        if (changed_.before.empty())
+            return result;
+        if (is_conserved(field)) {
+            conserve(field, result->values);
+        } else {
+            // Values of "size" have to stay above 0.
+            average(rule(field), field.values, result->values, width, field.name == "size");
         }
         return result;
     }
@@ -92,84 +136,127 @@ private:
     const Averages &rule(const Field &field) {
         if (field.carry == mesh::Carry::linear)
             return linear_ ? *linear_ : linear_.emplace(interpolated());
-        if (field.carry == mesh::Carry::conserve)
-            return conserve_ ? *conserve_ : conserve_.emplace(overlapped());
         std::optional<Averages> &inherit = inherit_[at(static_cast<int>(field.entity))];
         return inherit ? *inherit : inherit.emplace(inherited(field.entity));
     }
 
+    // What is continued beyond the old mesh, by negative weights, may leave the range of its terms, unless
+    // `bounded`.
     static void average(const Averages &averages, std::span<const double> from, std::span<double> to,
-                        std::size_t width) {
+                        std::size_t width, bool bounded) {
         for (std::size_t i = 0; i < averages.entities.size(); ++i)
             for (std::size_t c = 0; c < width; ++c) {
                 double sum = 0, least = 0, largest = 0;
+                bool inside = true;
                 for (std::size_t t = averages.begin[i]; t < averages.begin[i + 1]; ++t) {
-                    const double value = from[at(averages.terms[t].from) * width + c];
+                    const auto &[term, weight] = averages.terms[t];
+                    const double value = from[at(term) * width + c];
                     const bool first = t == averages.begin[i];
-                    sum += averages.terms[t].weight * value;
+                    sum += weight * value;
                     least = first ? value : std::min(least, value);
                     largest = first ? value : std::max(largest, value);
+                    inside = inside && weight > 0;
                 }
-                to[at(averages.entities[i]) * width + c] = std::clamp(sum, least, largest);
+                to[at(averages.entities[i]) * width + c] =
+                    inside || bounded ? std::clamp(sum, least, largest) : sum;
             }
     }
 
-    template <class Visit> void each_new(Entity entity, Visit visit) const {
-        const std::vector<std::int32_t> &origin = origins(after_, entity);
-        for (std::size_t i = 0; i < origin.size(); ++i)
-            if (origin[i] < 0)
-                visit(static_cast<int>(i));
-    }
-
     Averages inherited(Entity entity) const {
-        const std::vector<int> candidates = entities_of(entity);
-        std::vector<Vector3d> places;
-        for (const int i : candidates)
-            places.push_back(place(before_, entity, i));
-        std::optional<reference::PointTree> points;
+        std::map<Kind, Candidates> kinds;
+        for (const int i : entities_of(entity)) {
+            const Kind kind = kind_of(before_, entity, i);
+            kinds[kind].add(i, place(before_, entity, i));
+            kinds[{kind.first, std::nullopt}].add(i, place(before_, entity, i));
+        }
         Averages averages;
-        each_new(entity, [&](int i) {
-            if (!points)
-                points.emplace(std::move(places));
-            averages.terms.push_back({candidates[points->nearest(place(after_, entity, i))], 1});
+        for (int i = 0; i < static_cast<int>(origins(after_, entity).size()); ++i) {
+            if (!is_new(entity, i))
+                continue;
+            const Kind kind = kind_of(after_, entity, i);
+            auto found = kinds.find(kind);
+            if (found == kinds.end())
+                found = kinds.find({kind.first, std::nullopt});
+            if (found != kinds.end())
+                averages.terms.push_back({found->second.nearest(place(after_, entity, i)), 1});
             averages.end(i);
-        });
-        return averages;
-    }
-
-    Averages interpolated() {
-        Averages averages;
-        each_new(Entity::vertex, [&](int v) {
-            const auto [face, spot] = faces().nearest(reference::point_of(after_, v));
-            for (std::size_t i = 0; i < 4; ++i)
-                if (spot.weights[i] > 0)
-                    averages.terms.push_back({before_.corners(face)[i], spot.weights[i]});
-            averages.end(v);
-        });
-        return averages;
-    }
-
-    Averages overlapped() {
-        Averages averages;
-        std::vector<int> others;
-        for (const int f : changed_.after) {
-            const geometry::Quad quad = reference::quad_of(after_, f);
-            faces().around(quad, others);
-            const std::size_t first = averages.terms.size();
-            double sum = 0;
-            for (const int other : others)
-                if (const double area = geometry::overlap(quad, reference::quad_of(before_, other));
-                    area > 0) {
-                    averages.terms.push_back({other, area});
-                    sum += area;
-                }
-            for (std::size_t t = first; t < averages.terms.size(); ++t)
-                averages.terms[t].weight /= sum;
-            if (averages.terms.size() == first) // flat, or beside what was there
-                averages.terms.push_back({faces().nearest(place(after_, Entity::face, f)).face, 1});
-            averages.end(f);
         }
         return averages;
+    }
+
+    bool is_new(Entity entity, int i) const {
+        const std::int32_t origin = origins(after_, entity)[at(i)];
+        return origin < 0 ||
+               (entity == Entity::edge && on_boundary(before_, origin) != on_boundary(after_, i));
+    }
+
+    // On a surface nothing is continued: beyond a bend is no beyond.
+    Averages interpolated() {
+        const bool flat = after_.dim() == 2 || after_.surface == nullptr;
+        Averages averages;
+        for (int v = 0; v < after_.n_vertices(); ++v) {
+            if (same_point(before_, after_, v))
+                continue;
+            const Vector3d point = reference::point_of(after_, v);
+            const auto [face, spot] = faces().nearest(point);
+            const geometry::QuadPoint place =
+                flat ? geometry::continued_point(reference::quad_of(before_, face), point) : spot;
+            for (std::size_t i = 0; i < 4; ++i)
+                if (place.weights[i] != 0)
+                    averages.terms.push_back({before_.corners(face)[i], place.weights[i]});
+            averages.end(v);
+        }
+        return averages;
+    }
+
+    struct Conserved {
+        Reconstruction means;
+        Regions regions;
+    };
+
+    void conserve(const Field &field, std::vector<double> &values) {
+        std::optional<Conserved> &found = conserved_[at(static_cast<int>(field.entity))];
+        if (!found) {
+            const Cells before(before_, field.entity), after(after_, field.entity);
+            found.emplace(
+                Conserved{Reconstruction(before, covered(before, after)), Regions(before, after, changed_)});
+        }
+        found->means.average(field.values, values, field.components, field.carry == mesh::Carry::conserve);
+        found->regions.conserve(field.values, values, field.components);
+    }
+
+    // Overlaps of the cells of changed faces. A vertex between these and others has parts that stay.
+    std::vector<Overlap> covered(const Cells &before, const Cells &after) {
+        std::vector<Overlap> found = overlaps(before, faces(), after, changed_.after);
+        std::vector<char> has(at(after.count()), 0);
+        for (const Overlap &overlap : found)
+            has[at(overlap.after)] = 1;
+        for (const int cell : after.of(changed_.after)) {
+            if (after.entity() == Entity::vertex)
+                for (const int f : after_.faces_around(cell)) {
+                    if (std::binary_search(changed_.after.begin(), changed_.after.end(), f))
+                        continue;
+                    for (const Cells::Part &part : after.parts(f))
+                        if (part.cell == cell) {
+                            found.push_back({after_.vertex_origin[at(cell)], cell,
+                                             geometry::area_vector(part.quad).norm(),
+                                             geometry::area_centroid(part.quad)});
+                            has[at(cell)] = 1;
+                        }
+                }
+            if (!has[at(cell)]) { // flat, or beside what was there
+                const int old = nearest_cell(before, after.place(cell).centroid);
+                found.push_back({old, cell, 1, before.place(old).centroid});
+            }
+        }
+        return found;
+    }
+
+    int nearest_cell(const Cells &before, const Vector3d &point) {
+        std::pair<double, int> best{HUGE_VAL, 0};
+        for (const Cells::Part &part : before.parts(faces().nearest(point).face))
+            best = std::min(best, {(geometry::centre(part.quad) - point).squaredNorm(), part.cell});
+        return best.second;
     }
 
     // Those of the changed faces before the operation, ascending.
@@ -207,8 +294,8 @@ private:
     const QuadMesh &before_, &after_;
     const Changed changed_;
     std::unique_ptr<const reference::FaceTree> faces_;
-    std::optional<Averages> inherit_[3], linear_, conserve_;
-    std::optional<Regions> regions_;
+    std::optional<Averages> inherit_[3], linear_;
+    std::optional<Conserved> conserved_[3];
 };
 
 } // namespace
@@ -232,13 +319,11 @@ void carry(const QuadMesh &before, QuadMesh &after, const Progress &progress) {
         if (field->carry == mesh::Carry::drop && connectivity)
             continue;
         progress(1, "carry");
-        if (!connectivity && field->carry != mesh::Carry::conserve) {
-            fields.set(field);
-            continue;
-        }
-        if (!carrier)
+        const bool follows_points = field->carry == mesh::Carry::linear || is_conserved(*field);
+        if ((connectivity || follows_points) && !carrier)
             carrier.emplace(before, after);
-        fields.set(carrier->carried(*field));
+        const bool stays = !connectivity && (!follows_points || carrier->nothing_changed());
+        fields.set(stays ? field : carrier->carried(*field));
     }
     after.fields = std::move(fields);
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/quad_mesh.h"
+#include "transfer/cell.h"
 
 namespace alphamst::transfer {
 
@@ -18,15 +18,15 @@ struct Changed {
 // all of theirs were replaced, are one set together.
 class Regions {
 public:
-    Regions(const mesh::QuadMesh &before, const mesh::QuadMesh &after, const Changed &changed);
+    Regions(const Cells &before, const Cells &after, const Changed &changed);
 
-    // Makes the sum of value * area over each set what it was, in each component; where the set itself has
-    // another area in a plane, its mean.
+    // Makes the sum of value * area over the cells of each set what it was, in each component; where the set
+    // itself has another area in a plane, its mean.
     void conserve(std::span<const double> old_values, std::span<double> values, int components) const;
 
 private:
     struct Part {
-        int face;
+        int cell;
         std::size_t region;
         double area;
     };

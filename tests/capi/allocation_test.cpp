@@ -202,7 +202,13 @@ TEST_F(Allocation, InFields) {
     ASSERT_EQ(set_field(AMST_FACE, "faces", AMST_CARRY_CONSERVE, n_faces), AMST_OK);
     ASSERT_EQ(set_field(AMST_EDGE, "edges", AMST_CARRY_INHERIT, n_edges), AMST_OK);
     ASSERT_EQ(set_field(AMST_VERTEX, "gone", AMST_CARRY_DROP, n_vertices), AMST_OK);
-    std::int64_t mark = 0;
+    ASSERT_EQ(set_field(AMST_VERTEX, "vertices", AMST_CARRY_CONSERVE, n_vertices), AMST_OK);
+    std::vector<amst_id> olds(n_faces), news(n_faces);
+    std::vector<double> areas(n_faces);
+    std::int64_t mark = 0, rows = 0;
+    fail_each([&] {
+        return amst_mesh_get_overlap(mesh, mesh, olds.data(), news.data(), areas.data(), n_faces, &rows);
+    });
     ASSERT_EQ(amst_mesh_mark(mesh, &mark), AMST_OK);
     fail_each([&] { return amst_mesh_remove_field(mesh, AMST_FACE, "faces"); });
     ASSERT_EQ(amst_mesh_rollback(mesh, mark), AMST_OK);

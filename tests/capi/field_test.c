@@ -90,11 +90,13 @@ static void what_is_wrong_is_refused(void **state) {
     no(AMST_ERR_ARGUMENT, 3, "a", 1, AMST_CARRY_DROP, n_vertices);
     no(AMST_ERR_ARGUMENT, AMST_VERTEX, "", 1, AMST_CARRY_DROP, n_vertices);
     no(AMST_ERR_ARGUMENT, AMST_VERTEX, "a", 1, AMST_CARRY_INVALID, n_vertices);
-    no(AMST_ERR_ARGUMENT, AMST_VERTEX, "a", 1, 4, n_vertices);
+    no(AMST_ERR_ARGUMENT, AMST_VERTEX, "a", 1, 5, n_vertices);
     no(AMST_ERR_ARGUMENT, AMST_EDGE, "a", 1, AMST_CARRY_LINEAR, n_edges);
     no(AMST_ERR_ARGUMENT, AMST_FACE, "a", 1, AMST_CARRY_LINEAR, n_faces);
-    no(AMST_ERR_ARGUMENT, AMST_VERTEX, "a", 1, AMST_CARRY_CONSERVE, n_vertices);
     no(AMST_ERR_ARGUMENT, AMST_EDGE, "a", 1, AMST_CARRY_CONSERVE, n_edges);
+    no(AMST_ERR_ARGUMENT, AMST_EDGE, "a", 1, AMST_CARRY_AVERAGE, n_edges);
+    assert_string_equal(amst_last_error(),
+                        "AMST_CARRY_AVERAGE is for fields on faces or vertices, not on edges");
     no(AMST_ERR_RANGE, AMST_VERTEX, "a", 0, AMST_CARRY_DROP, n_vertices);
     no(AMST_ERR_RANGE, AMST_VERTEX, "a", -1, AMST_CARRY_DROP, n_vertices);
     no(AMST_ERR_RANGE, AMST_VERTEX, "a", 1, AMST_CARRY_DROP, n_vertices - 1);
@@ -215,22 +217,92 @@ static void operations_carry(void **state) {
     }
 }
 
-static void smoothing_moves_vertices_with_their_values(void **state) {
+/* The caller's own moves take values along; those of operations leave fields where they are. */
+static void values_follow_vertices_that_move(void **state) {
     (void)state;
-    set_every_rule();
     int64_t count;
-    double *linear_before = field_of(mesh, AMST_VERTEX, "linear", &count);
-    double *gone = field_of(mesh, AMST_FACE, "gone", &count), *points = points_of(mesh);
+    double *points = points_of(mesh);
     points[2 * (5 * row + 5)] += 0.4;
+    must(amst_mesh_set_points(mesh, points, n_vertices));
+    set_every_rule();
+    double *gone = field_of(mesh, AMST_FACE, "gone", &count);
+    double *given = field_of(mesh, AMST_VERTEX, "linear", &count);
+    points[2 * (5 * row + 5)] -= 0.1;
+    must(amst_mesh_set_points(mesh, points, n_vertices));
+    assert_field(mesh, AMST_VERTEX, "linear", given, n_vertices);
+    points[2 * (5 * row + 5)] += 0.1;
     must(amst_mesh_set_points(mesh, points, n_vertices));
     const double before = total(mesh, "mass");
     must(amst_smooth(mesh, NULL, NULL, NULL));
-    assert_field(mesh, AMST_VERTEX, "linear", linear_before, n_vertices);
+    double *smoothed = points_of(mesh), *values = field_of(mesh, AMST_VERTEX, "linear", &count);
+    int moved = 0;
+    for (int v = 0; v < n_vertices; ++v) {
+        assert_true(fabs(values[v] - linear(smoothed + 2 * v)) <= 1e-12);
+        if (memcmp(smoothed + 2 * v, points + 2 * v, 2 * sizeof(double)) != 0)
+            ++moved;
+        else
+            assert_memory_equal(values + v, given + v, sizeof(double));
+    }
+    assert_true(moved > 0 && values[5 * row + 5] != given[5 * row + 5]);
     assert_field(mesh, AMST_FACE, "gone", gone, n_faces);
     assert_true(fabs(total(mesh, "mass") - before) <= 1e-12 * before);
-    free(linear_before);
     free(gone);
+    free(given);
     free(points);
+    free(smoothed);
+    free(values);
+}
+
+/* Of each vertex what the header says that it has: quarters of faces. */
+static double *areas_of_vertices(void) {
+    double *areas = memory(sizeof(double) * (size_t)count_of(mesh, AMST_VERTEX)), *points = points_of(mesh);
+    amst_id *faces = faces_of(mesh);
+    for (int64_t v = 0; v < count_of(mesh, AMST_VERTEX); ++v)
+        areas[v] = 0;
+    for (int64_t f = 0; f < count_of(mesh, AMST_FACE); ++f) {
+        const amst_id *corners = faces + 4 * f;
+        double centre[2] = {0, 0};
+        for (int k = 0; k < 4; ++k)
+            for (int c = 0; c < 2; ++c)
+                centre[c] += points[2 * corners[k] + c] / 4;
+        for (int k = 0; k < 4; ++k) {
+            const double *here = points + 2 * corners[k], *next = points + 2 * corners[(k + 1) % 4],
+                         *last = points + 2 * corners[(k + 3) % 4];
+            const double out[2] = {centre[0] - here[0], centre[1] - here[1]},
+                         across[2] = {(last[0] - next[0]) / 2, (last[1] - next[1]) / 2};
+            areas[corners[k]] += (out[0] * across[1] - out[1] * across[0]) / 2;
+        }
+    }
+    free(points);
+    free(faces);
+    return areas;
+}
+
+static double total_at_vertices(const char *name) {
+    int64_t count;
+    double *values = field_of(mesh, AMST_VERTEX, name, &count), *areas = areas_of_vertices(), sum = 0;
+    for (int64_t v = 0; v < count; ++v)
+        sum += values[v] * areas[v];
+    free(values);
+    free(areas);
+    return sum;
+}
+
+static void vertices_conserve(void **state) {
+    (void)state;
+    double *values = numbers(n_vertices);
+    must(amst_mesh_set_field(mesh, AMST_VERTEX, "mass", 1, AMST_CARRY_CONSERVE, values, n_vertices));
+    must(amst_mesh_set_field(mesh, AMST_VERTEX, "plain", 1, AMST_CARRY_AVERAGE, values, n_vertices));
+    const double before = total_at_vertices("mass");
+    for (int i = 0; i < 3; ++i) {
+        const amst_status status = i == 0   ? amst_adapt(mesh, set, 2, NULL, NULL)
+                                   : i == 1 ? amst_smooth(mesh, NULL, NULL, NULL)
+                                            : amst_adapt(mesh, NULL, 0.6, NULL, NULL);
+        assert_true(status >= 0);
+        assert_true(fabs(total_at_vertices("mass") - before) <= 1e-12 * before);
+        assert_true(fabs(total_at_vertices("plain") - before) <= 1e-12 * before);
+    }
+    free(values);
 }
 
 static void savepoints_and_clones_have_theirs(void **state) {
@@ -300,7 +372,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(what_is_wrong_is_refused, setup, teardown),
         cmocka_unit_test_setup_teardown(size_is_a_length_at_vertices, setup, teardown),
         cmocka_unit_test_setup_teardown(operations_carry, setup, teardown),
-        cmocka_unit_test_setup_teardown(smoothing_moves_vertices_with_their_values, setup, teardown),
+        cmocka_unit_test_setup_teardown(values_follow_vertices_that_move, setup, teardown),
+        cmocka_unit_test_setup_teardown(vertices_conserve, setup, teardown),
         cmocka_unit_test_setup_teardown(savepoints_and_clones_have_theirs, setup, teardown),
         cmocka_unit_test_setup_teardown(cancelling_the_transfer_changes_nothing, setup, teardown),
     };

@@ -308,6 +308,50 @@ static void edge_origins_fit_vertex_origins(void **state) {
     amst_context_destroy(ctx);
 }
 
+/* Whatever is done, no origin is named twice, and what has one has the vertices that it had. */
+static void nothing_is_named_twice(void **state) {
+    (void)state;
+    amst_context *ctx = new_context(0);
+    amst_options *options = NULL;
+    must(amst_options_create(&options));
+    must(amst_options_set_int(options, AMST_OPT_EDIT_BOUNDARY, 1));
+    for (int operation = 0; operation < 5; ++operation) {
+        amst_mesh *mesh = new_grid(ctx, 0, 8, 8);
+        amst_report *report = NULL;
+        amst_id *before = faces_of(mesh);
+        const amst_status status = operation == 0   ? amst_split_chord(mesh, 0, 2, options, &report)
+                                   : operation == 1 ? amst_collapse_chord(mesh, 0, options, &report)
+                                   : operation == 2 ? amst_adapt(mesh, NULL, 2, options, &report)
+                                   : operation == 3 ? amst_adapt(mesh, NULL, 0.5, options, &report)
+                                                    : amst_smooth(mesh, NULL, options, &report);
+        assert_true(status >= 0);
+        const int32_t entities[3] = {AMST_VERTEX, AMST_EDGE, AMST_FACE};
+        for (int k = 0; k < 3; ++k) {
+            amst_id *origin = origin_of(report, entities[k]);
+            char named[144] = {0};
+            for (int64_t i = 0; i < count_of(mesh, entities[k]); ++i)
+                if (origin[i] != -1) {
+                    assert_int_equal(named[origin[i]], 0);
+                    named[origin[i]] = 1;
+                }
+            free(origin);
+        }
+        amst_id *faces = faces_of(mesh), *face = origin_of(report, AMST_FACE),
+                *vertex = origin_of(report, AMST_VERTEX);
+        for (int64_t f = 0; f < count_of(mesh, AMST_FACE); ++f)
+            for (int k = 0; face[f] != -1 && k < 4; ++k)
+                assert_int_equal(vertex[faces[4 * f + k]], before[4 * face[f] + k]);
+        free(before);
+        free(faces);
+        free(face);
+        free(vertex);
+        amst_report_destroy(report);
+        amst_mesh_destroy(mesh);
+    }
+    amst_options_destroy(options);
+    amst_context_destroy(ctx);
+}
+
 /* A patch that its boundary does not allow the count: the nearest, and the words for it. */
 static void what_was_in_the_way_is_told(void **state) {
     (void)state;
@@ -343,6 +387,7 @@ int main(void) {
         cmocka_unit_test(sizes_of_a_whole_mesh_that_stays),
         cmocka_unit_test(without_wanted_sizes_they_are_nan),
         cmocka_unit_test(edge_origins_fit_vertex_origins),
+        cmocka_unit_test(nothing_is_named_twice),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

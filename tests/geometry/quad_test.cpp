@@ -72,26 +72,58 @@ TEST(Quad, NearestSpotOutside) {
 }
 
 TEST(Quad, OverlapOfSquares) {
-    EXPECT_DOUBLE_EQ(overlap(square, square), 1);
-    EXPECT_DOUBLE_EQ(overlap(square, flat(0.5, 0.25, 1.5, 0.25, 1.5, 1.25, 0.5, 1.25)), 0.375);
-    EXPECT_DOUBLE_EQ(overlap(square, flat(-1, -1, 2, -1, 2, 2, -1, 2)), 1);
-    EXPECT_DOUBLE_EQ(overlap(flat(-1, -1, 2, -1, 2, 2, -1, 2), square), 1);
-    EXPECT_EQ(overlap(square, flat(1, 0, 2, 0, 2, 1, 1, 1)), 0); // a side in common
-    EXPECT_EQ(overlap(square, flat(0, 1, 1, 1, 1, 0, 0, 0)), 0); // from below
-    EXPECT_EQ(overlap(flat(1, 1, 1, 1, 1, 1, 1, 1), square), 0);
+    EXPECT_DOUBLE_EQ(overlap(square, square).area, 1);
+    EXPECT_DOUBLE_EQ(overlap(square, flat(0.5, 0.25, 1.5, 0.25, 1.5, 1.25, 0.5, 1.25)).area, 0.375);
+    EXPECT_DOUBLE_EQ(overlap(square, flat(-1, -1, 2, -1, 2, 2, -1, 2)).area, 1);
+    EXPECT_DOUBLE_EQ(overlap(flat(-1, -1, 2, -1, 2, 2, -1, 2), square).area, 1);
+    EXPECT_EQ(overlap(square, flat(1, 0, 2, 0, 2, 1, 1, 1)).area, 0); // a side in common
+    EXPECT_EQ(overlap(square, flat(0, 1, 1, 1, 1, 0, 0, 0)).area, 0); // from below
+    EXPECT_EQ(overlap(flat(1, 1, 1, 1, 1, 1, 1, 1), square).area, 0);
 }
 
 TEST(Quad, OverlapFollowsAReflexCorner) {
-    EXPECT_DOUBLE_EQ(overlap(dart, flat(0, 0, 2, 0, 2, 2, 0, 2)), 1);
-    EXPECT_DOUBLE_EQ(overlap(flat(0, 0, 2, 0, 2, 2, 0, 2), dart), 1);
-    EXPECT_EQ(overlap(dart, flat(0.75, 0.75, 1, 0.75, 1, 1, 0.75, 1)), 0);
+    EXPECT_DOUBLE_EQ(overlap(dart, flat(0, 0, 2, 0, 2, 2, 0, 2)).area, 1);
+    EXPECT_DOUBLE_EQ(overlap(flat(0, 0, 2, 0, 2, 2, 0, 2), dart).area, 1);
+    EXPECT_EQ(overlap(dart, flat(0.75, 0.75, 1, 0.75, 1, 1, 0.75, 1)).area, 0);
 }
 
 TEST(Quad, OverlapIsSeenAlongTheNormal) {
     Quad tilted = square; // 45 degrees about the x axis, as high as the unit square
     tilted[2].z() = tilted[3].z() = 1;
-    EXPECT_NEAR(overlap(square, tilted), 1, 1e-15);
-    EXPECT_NEAR(overlap(tilted, square), std::sqrt(0.5), 1e-15);
+    EXPECT_NEAR(overlap(square, tilted).area, 1, 1e-15);
+    EXPECT_NEAR(overlap(tilted, square).area, std::sqrt(0.5), 1e-15);
+}
+
+TEST(Quad, OverlapHasACentroid) {
+    const auto expect = [](const Quad &quad, const Quad &other, const Eigen::Vector3d &place) {
+        EXPECT_LT((overlap(quad, other).centroid - place).norm(), 1e-15);
+    };
+    expect(square, square, {0.5, 0.5, 0});
+    expect(square, flat(0.5, 0.25, 1.5, 0.25, 1.5, 1.25, 0.5, 1.25), {0.75, 0.625, 0});
+    expect(flat(0, 0, 2, 0, 2, 2, 0, 2), dart, area_centroid(dart));
+    expect(flat(-9, -9, 9, -9, 0, 9, -9, 9), flat(1, 1, 4, 1, 1, 4, 1, 2), {2, 2, 0}); // a triangle
+}
+
+TEST(Quad, CentroidIsThatOfTheArea) {
+    EXPECT_LT((area_centroid(square) - Eigen::Vector3d(0.5, 0.5, 0)).norm(), 1e-15);
+    EXPECT_LT((area_centroid(flat(1, 1, 4, 1, 1, 4, 1, 2)) - Eigen::Vector3d(2, 2, 0)).norm(), 1e-15);
+    EXPECT_LT((area_centroid(flat(1, 1, 1, 1, 1, 1, 1, 1)) - Eigen::Vector3d(1, 1, 0)).norm(), 1e-15);
+}
+
+// Linear functions go on beyond the quad; from a triangle that is nearly a line nothing can be told.
+TEST(Quad, ContinuedPointKeepsLinearFunctions) {
+    const Quad kite = flat(0, 0, 2, 0.5, 3, 3, 0.25, 1.5);
+    for (const Eigen::Vector3d &p :
+         {Eigen::Vector3d(1, 1, 0), {2.5, 1, 0}, {-0.5, -0.25, 0}, {3.5, 3.25, 0}, {-0.5, 1.5, 0}}) {
+        const QuadPoint place = continued_point(kite, p);
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < 4; ++i)
+            sum += place.weights[i] * kite[i];
+        EXPECT_LT((sum - p).norm(), 1e-14);
+    }
+    const Quad line = flat(0, 0, 1, 0, 2, 1e-9, 0.5, 0);
+    const QuadPoint place = continued_point(line, {1, -1, 0}), nearest = closest_point(line, {1, -1, 0});
+    EXPECT_EQ(place.weights, nearest.weights);
 }
 
 } // namespace

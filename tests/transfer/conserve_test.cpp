@@ -16,6 +16,11 @@ using adapt::samples::grid;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+Regions regions_of(const mesh::QuadMesh &before, const mesh::QuadMesh &after, const Changed &changed,
+                   Entity entity = Entity::face) {
+    return {Cells(before, entity), Cells(after, entity), changed};
+}
+
 // Over some faces of value * area, of one of two components.
 double sum(const mesh::QuadMesh &mesh, const std::vector<double> &values, const std::vector<int> &faces,
            std::size_t component) {
@@ -44,7 +49,7 @@ TEST(Conserve, EachRegionHoldsWhatItHeld) {
     Changed changed{one, {}};
     changed.before.insert(changed.before.end(), other.begin(), other.end());
     changed.after = changed.before;
-    const Regions regions(before, after, changed);
+    const Regions regions = regions_of(before, after, changed);
     for (const double sign : {1.0, -1.0}) {
         const std::vector<double> old = some_values(before, sign);
         std::vector<double> values = old;
@@ -71,7 +76,7 @@ TEST(Conserve, ValuesKeepTheirProportionsAndZerosGetTheMean) {
     const mesh::QuadMesh before = grid(4, 1);
     mesh::QuadMesh after = before;
     after.reset_origins();
-    const Regions regions(before, after, {all_faces(before), all_faces(after)});
+    const Regions regions = regions_of(before, after, {all_faces(before), all_faces(after)});
     const std::vector<double> old{2, 4, 6, 8};
     std::vector<double> half{1, 2, 3, 4}, none{0, 0, 0, 0}, right = old;
     regions.conserve(old, half, 1);
@@ -89,12 +94,38 @@ TEST(Conserve, WhatWasReplacedAltogetherIsOneRegion) {
     const mesh::QuadMesh before = grid(2, 2);
     mesh::QuadMesh after = grid(4, 4);
     std::fill(after.vertex_origin.begin(), after.vertex_origin.end(), -1);
-    const Regions regions(before, after, {all_faces(before), all_faces(after)});
+    const Regions regions = regions_of(before, after, {all_faces(before), all_faces(after)});
     const std::vector<double> old{1, 2, 3, 4};
     std::vector<double> values(16, 1);
     regions.conserve(old, values, 1);
     for (const double value : values)
         EXPECT_NEAR(value, 10.0 / 16, 1e-12);
+}
+
+// Vertices hold quarters of faces; those at the border of what changed have others beyond it.
+TEST(Conserve, VerticesHoldQuarters) {
+    const mesh::QuadMesh before = grid(5, 5);
+    mesh::QuadMesh after = before;
+    after.reset_origins();
+    after.set_point(2 * 6 + 2, {2.3, 2.1, 0});
+    const std::vector<int> faces = block(5, 1, 1, 3, 3);
+    const Regions regions = regions_of(before, after, {faces, faces}, Entity::vertex);
+    const Cells olds(before, Entity::vertex), news(after, Entity::vertex);
+    std::vector<double> old, values;
+    for (int v = 0; v < before.n_vertices(); ++v) {
+        old.push_back(1 + v % 7);
+        values.push_back(1 + v % 5);
+    }
+    const std::vector<double> given = values;
+    regions.conserve(old, values, 1);
+    double sum = 0, wanted = 0;
+    for (const int v : olds.of(faces)) {
+        sum += values[at(v)] * news.area(v);
+        wanted += old[at(v)] * olds.area(v);
+    }
+    EXPECT_NEAR(sum, wanted, 1e-12);
+    EXPECT_EQ(values[0], given[0]);
+    EXPECT_EQ(values[4 * 6 + 4], given[4 * 6 + 4]);
 }
 
 } // namespace

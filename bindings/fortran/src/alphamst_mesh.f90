@@ -7,7 +7,8 @@
 module alphamst_mesh
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
-    use amst_c, only: amst_mesh_check, amst_mesh_clone, amst_mesh_compute_cross_field, amst_mesh_create, &
+    use amst_c, only: AMST_ERR_BUFFER_TOO_SMALL, AMST_FACE, &
+        amst_mesh_check, amst_mesh_clone, amst_mesh_compute_cross_field, amst_mesh_create, &
         amst_mesh_create_i64, &
         amst_mesh_destroy, amst_mesh_detect_features, amst_mesh_find_edges, amst_mesh_forget, &
         amst_mesh_get_alignment, amst_mesh_get_checksum, amst_mesh_get_chord, amst_mesh_get_chord_ids, amst_mesh_get_chords, &
@@ -15,6 +16,7 @@ module alphamst_mesh
         amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
         amst_mesh_get_faces, amst_mesh_get_field, amst_mesh_get_flags, amst_mesh_get_marker_list, &
         amst_mesh_get_marker_name, amst_mesh_get_markers, amst_mesh_get_points, amst_mesh_get_quality, &
+        amst_mesh_get_overlap, &
         amst_mesh_get_revision, amst_mesh_get_singularities, amst_mesh_get_summary, &
         amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_remove_field, &
         amst_mesh_rollback, amst_mesh_set_field, amst_mesh_set_flags, amst_mesh_set_marker_name, &
@@ -137,14 +139,21 @@ module alphamst_mesh
 
         !> set_field(entity, name, values(:), carry), or values(components, :): named numbers of each entity;
         !> a field of that name there is replaced. Operations keep the values of what they keep; an
-        !> AMST_CARRY_* gives new entities theirs. The library reads 'size' (AMST_VERTEX, one number above
-        !> 0): the wanted edge length; and 'cross' (AMST_FACE, three numbers), see compute_cross_field.
+        !> AMST_CARRY_* gives others theirs: LINEAR (vertices, also where they have moved) interpolates;
+        !> CONSERVE and AVERAGE (faces, or the quarters of faces at vertices) keep the sum of value and area,
+        !> CONSERVE with linear values before, AVERAGE with constant ones. The library reads 'size'
+        !> (AMST_VERTEX, one number above 0): the wanted edge length; and 'cross' (AMST_FACE, three numbers),
+        !> see compute_cross_field.
         !> Errors: ARGUMENT (entity, name empty, name or carry not for this entity), RANGE (extents, a size
         !> not above 0), NOT_FINITE.
         generic :: set_field => set_field_of_one, set_field_of_several
         !> field(entity, name): values(components, :); get_field(entity, name, values(components, :) [, n]).
         !> Errors: ARGUMENT (entity, name empty), NOT_FOUND.
         procedure :: field, get_field
+        !> overlap(after, before_faces(:), after_faces(:), areas(:)): what a face of this mesh shares with one
+        !> of another, as with the mesh after an operation, one element each; ascending by after_faces, then
+        !> before_faces. In a plane those of a face sum up to its area. Errors: ARGUMENT (another dim).
+        procedure :: overlap
         !> remove_field(entity, name). Errors: ARGUMENT (entity, name empty), NOT_FOUND.
         procedure :: remove_field
         !> compute_cross_field([options]): a new field 'cross' of AMST_FACE, a direction of length 1 that
@@ -878,6 +887,33 @@ contains
         if (status >= 0) status = amst_mesh_get_count(self%c_handle(), entity, count)
         if (status >= 0) components = int(needed/count, int32)
     end subroutine components_of
+
+    subroutine overlap(self, after, before_faces, after_faces, areas, stat, errmsg)
+        class(amst_mesh), intent(in) :: self, after
+        integer(int32), allocatable, intent(out) :: before_faces(:), after_faces(:)
+        real(real64), allocatable, intent(out) :: areas(:)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32) :: status
+        integer(int64) :: capacity, needed
+
+        ! Mostly enough, so that the work is done once: a face meets about four, on either side.
+        capacity = 4*(self%count(AMST_FACE) + after%count(AMST_FACE))
+        do
+            needed = 0
+            allocate (before_faces(capacity), after_faces(capacity), areas(capacity))
+            status = amst_mesh_get_overlap(self%c_handle(), after%c_handle(), before_faces, after_faces, areas, &
+                capacity, needed)
+            if (status /= AMST_ERR_BUFFER_TOO_SMALL) exit
+            capacity = needed
+            deallocate (before_faces, after_faces, areas)
+        end do
+        if (status < 0) needed = 0
+        before_faces = before_faces(:needed)
+        after_faces = after_faces(:needed)
+        areas = areas(:needed)
+        call settle(status, stat, errmsg)
+    end subroutine overlap
 
     subroutine remove_field(self, entity, name, stat, errmsg)
         class(amst_mesh), intent(inout) :: self

@@ -24,7 +24,7 @@ module alphamst_report
         !> before (.false.) or after (.true.) the operation
         procedure :: valence => get_valence
         !> origin(entity): for each vertex, edge or face after the operation the one it was before, 0 if
-        !> it is new; get_origin(entity, values [, n]). Errors: ARGUMENT (entity), BUFFER_TOO_SMALL.
+        !> there is none; edges and faces are the same if their vertices are; get_origin(entity, values [, n]). Errors: ARGUMENT (entity), BUFFER_TOO_SMALL.
         procedure :: origin, get_origin
         procedure :: destroy
         procedure, private :: refuse_copy

@@ -304,6 +304,19 @@ module amst_c_mesh
             character(kind=c_char), intent(in) :: name(*)
         end function amst_mesh_remove_field
 
+        integer(c_int32_t) function amst_mesh_get_overlap(before, after, before_faces, after_faces, areas, &
+                capacity, needed) bind(c)
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: before
+            type(c_ptr), value :: after
+            integer(c_int32_t), intent(inout), optional :: before_faces(*)
+            integer(c_int32_t), intent(inout), optional :: after_faces(*)
+            real(c_double), intent(inout), optional :: areas(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_overlap
+
         integer(c_int32_t) function amst_mesh_compute_cross_field(mesh, options) bind(c)
             import :: c_int32_t, c_ptr
             implicit none

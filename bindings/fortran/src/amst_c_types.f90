@@ -54,6 +54,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_CARRY_INHERIT = 1
     integer(c_int32_t), parameter :: AMST_CARRY_LINEAR = 2
     integer(c_int32_t), parameter :: AMST_CARRY_CONSERVE = 3
+    integer(c_int32_t), parameter :: AMST_CARRY_AVERAGE = 4
     integer(c_int32_t), parameter :: AMST_CARRY_MAX = 2147483647
 
     ! amst_defect

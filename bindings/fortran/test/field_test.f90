@@ -10,6 +10,8 @@ program field_test
     call each_entity_has_fields_of_its_own()
     call arrays_of_the_caller()
     call an_operation_carries_them()
+    call means_keep_their_range()
+    call meshes_share_areas()
     call bad_input_is_refused()
     call finish()
 
@@ -104,6 +106,59 @@ contains
         call claim(size(mesh%field(AMST_EDGE, 'gone')) == 220, 'undone')
     end subroutine an_operation_carries_them
 
+    subroutine means_keep_their_range()
+        type(amst_mesh) :: mesh
+        type(amst_patches) :: patches
+        integer, parameter :: entities(2) = [AMST_FACE, AMST_VERTEX], sizes(2) = [100, 121]
+        integer :: i, k
+
+        call new_grid(mesh, context, 10, 10)
+        do k = 1, 2
+            associate (values => [(sin(real(i, real64)), i=1, sizes(k))])
+                call mesh%set_field(entities(k), 'linear', values, AMST_CARRY_CONSERVE)
+                call mesh%set_field(entities(k), 'constant', values, AMST_CARRY_AVERAGE)
+            end associate
+        end do
+        call patches%create(mesh)
+        call patches%add_faces(square(10, 2, 8))
+        call alphamst_adapt(mesh, patches, 2.0_real64)
+        do k = 1, 2
+            associate (one => mesh%field(entities(k), 'linear'), other => mesh%field(entities(k), 'constant'))
+                call claim(.not. same(one, other), 'two orders')
+                call claim(maxval(abs(one)) <= 1 .and. maxval(abs(other)) <= 1, 'the range is kept')
+            end associate
+        end do
+    end subroutine means_keep_their_range
+
+    subroutine meshes_share_areas()
+        type(amst_mesh) :: mesh, old, curved
+        type(amst_patches) :: patches
+        integer(int32), allocatable :: before(:), after(:)
+        real(real64), allocatable :: areas(:), sums(:)
+        real(real64), parameter :: space(3, 4) = reshape([real(real64) :: 0, 0, 0, 1, 0, 0, 1, 1, 1, 0, 1, 1], [3, 4])
+        integer(int32) :: stat
+        integer :: i
+        character(len=200) :: errmsg
+
+        call new_grid(mesh, context, 10, 10)
+        call mesh%clone(old)
+        call patches%create(mesh)
+        call patches%add_faces(square(10, 2, 8))
+        call alphamst_adapt(mesh, patches, 2.0_real64)
+        call old%overlap(mesh, before, after, areas)
+        call claim(size(before) == size(areas) .and. size(after) == size(areas), 'three arrays of one length')
+        allocate (sums(mesh%count(AMST_FACE)), source=0.0_real64)
+        do i = 1, size(areas)
+            sums(after(i)) = sums(after(i)) + areas(i)
+        end do
+        call claim(maxval(abs(sums - mesh%quality(AMST_METRIC_AREA))) < 1e-12_real64, 'the areas of faces')
+        call claim(minval(before) == 1 .and. maxval(before) == 100, 'ids count from 1')
+        call curved%create(context, space, reshape([1, 2, 3, 4], [4, 1]))
+        call old%overlap(curved, before, after, areas, stat, errmsg)
+        call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'another dim')
+        call claim(size(areas) == 0, 'nothing is shared')
+    end subroutine meshes_share_areas
+
     subroutine bad_input_is_refused()
         type(amst_mesh) :: mesh
         real(real64) :: values(9), nothing(0, 9)
@@ -118,8 +173,8 @@ contains
         call refused(stat, AMST_ERR_RANGE, errmsg, 'no component')
         call mesh%set_field(AMST_VERTEX, '', values, AMST_CARRY_DROP, stat, errmsg)
         call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'no name')
-        call mesh%set_field(AMST_VERTEX, 'a', values, AMST_CARRY_CONSERVE, stat, errmsg)
-        call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'areas of vertices')
+        call mesh%set_field(AMST_EDGE, 'a', values, AMST_CARRY_AVERAGE, stat, errmsg)
+        call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'areas of edges')
         call mesh%set_field(AMST_FACE, 'size', values(:4), AMST_CARRY_INHERIT, stat, errmsg)
         call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'size of faces')
         values(7) = 0

@@ -56,7 +56,7 @@ export check, checksum, crossed_edges, detect_features!, dim, edge_faces, edge_f
     flags!, nedges, nfaces, nvertices, points, points!, revision, set_flags!, set_points!,
     singularities, split_edges, valences, valences!
 export marker_list, marker_name, markers, markers!, set_marker_name!, set_markers!
-export field, field!, remove_field!, set_field!
+export field, field!, overlap, remove_field!, set_field!
 export alignment, compute_cross_field!
 export set_projection!
 export set_surface!

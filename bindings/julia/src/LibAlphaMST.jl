@@ -81,6 +81,7 @@ const AMST_CARRY_DROP = Int32(0)
 const AMST_CARRY_INHERIT = Int32(1)
 const AMST_CARRY_LINEAR = Int32(2)
 const AMST_CARRY_CONSERVE = Int32(3)
+const AMST_CARRY_AVERAGE = Int32(4)
 const AMST_CARRY_MAX = Int32(0x7fffffff)
 
 # amst_defect
@@ -295,6 +296,7 @@ end
     amst_mesh_set_field(mesh, entity, name, components, carry, values, n) = @ccall amst_mesh_set_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, components::Int32, carry::Int32, values::Ptr{Float64}, n::Int64)::Int32
     amst_mesh_get_field(mesh, entity, name, out, capacity, needed) = @ccall amst_mesh_get_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, out::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_remove_field(mesh, entity, name) = @ccall amst_mesh_remove_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring)::Int32
+    amst_mesh_get_overlap(before, after, before_faces, after_faces, areas, capacity, needed) = @ccall amst_mesh_get_overlap(before::Ptr{amst_mesh}, after::Ptr{amst_mesh}, before_faces::Ptr{Int32}, after_faces::Ptr{Int32}, areas::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_compute_cross_field(mesh, options) = @ccall amst_mesh_compute_cross_field(mesh::Ptr{amst_mesh}, options::Ptr{amst_options})::Int32
     amst_mesh_get_alignment(mesh, mean_degrees) = @ccall amst_mesh_get_alignment(mesh::Ptr{amst_mesh}, mean_degrees::Ptr{Float64})::Int32
     amst_mesh_set_surface(mesh, points, n_points, triangles, n_triangles) = @ccall amst_mesh_set_surface(mesh::Ptr{amst_mesh}, points::Ptr{Float64}, n_points::Int64, triangles::Ptr{Int32}, n_triangles::Int64)::Int32

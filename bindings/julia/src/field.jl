@@ -1,7 +1,7 @@
 # Named numbers on vertices, edges and faces.
 
 const carries = (drop = AMST_CARRY_DROP, inherit = AMST_CARRY_INHERIT, linear = AMST_CARRY_LINEAR,
-                 conserve = AMST_CARRY_CONSERVE)
+                 conserve = AMST_CARRY_CONSERVE, average = AMST_CARRY_AVERAGE)
 
 """
     set_field!(mesh, entity, name, values; carry)
@@ -13,8 +13,10 @@ An operation keeps the values of what it keeps. New entities get theirs by `carr
 
 * `:drop`: the field goes with an operation that changes connectivity
 * `:inherit`: from the nearest entity that was there
-* `:linear`, for vertices: interpolated
-* `:conserve`, for faces: averaged by area, so that the sum of value times area stays
+* `:linear`, for vertices, also where they have moved: interpolated
+* `:conserve`, for faces and vertices: the mean over the face, or over the quarters of faces at the vertex;
+  the sum of value times area stays. The field before is taken as linear on each of them
+* `:average`: as `:conserve`, but the field before is taken as constant there
 
 The library reads `"size"`, one number above 0 at each vertex: the wanted edge length; and `"cross"`, three
 at each face, see [`compute_cross_field!`](@ref). [`adapt!`](@ref) and [`reduce_singularities!`](@ref) write
@@ -69,4 +71,28 @@ Throws `AlphaMSTError`: ARGUMENT (entity, name), NOT_FOUND.
 function remove_field!(mesh::Mesh, entity, name::AbstractString)
     demand(amst_mesh_remove_field(mesh, number_of(entities, entity), name))
     return mesh
+end
+
+"""
+    overlap(before, after)
+
+What the faces of two meshes of one domain share, as a `copy` of a mesh and that mesh after an operation:
+`(before, after, area)`, three vectors with one element for each pair of faces that overlap, ascending by
+`after`, then `before`. In a plane the areas of a face sum up to its own where the other mesh covers it. Throws
+`AlphaMSTError`: ARGUMENT (one mesh has dim 2, the other 3).
+"""
+function overlap(before::Mesh, after::Mesh)
+    # Mostly enough, so that the work is done once: a face meets about four, on either side.
+    capacity = 4 * (nfaces(before) + nfaces(after))
+    while true
+        ids, others, areas = Vector{Int32}(undef, capacity), Vector{Int32}(undef, capacity), zeros(capacity)
+        needed = Ref{Int64}(0)
+        status = amst_mesh_get_overlap(before, after, ids, others, areas, capacity, needed)
+        if status != AMST_ERR_BUFFER_TOO_SMALL
+            demand(status)
+            return (before = resize!(ids, needed[]), after = resize!(others, needed[]),
+                    area = resize!(areas, needed[]))
+        end
+        capacity = needed[]
+    end
 end

@@ -88,7 +88,7 @@ valence_count(report::Report, patch::Integer, valence::Integer; after::Bool = tr
     origin(report, entity)
 
 For each `:vertex`, `:edge` or `:face` of the mesh after the operation the one it was before, 0 if
-it is new, as a `Vector{Int32}`.
+there is none, as a `Vector{Int32}`. Edges and faces are the same if their vertices are.
 """
 origin(report::Report, entity) =
     vector_of(Int32) do out, capacity, needed

@@ -47,6 +47,34 @@ end
     @test field(mesh, :face, "name") == 1:100
 end
 
+@testset "conserved in both orders, on faces and vertices" begin
+    mesh, patches = grid_with_square()
+    for (entity, n) in (:face => 100, :vertex => 121), carry in (:conserve, :average)
+        set_field!(mesh, entity, String(carry), [sin(i) for i in 1:n]; carry = carry)
+    end
+    old = field(mesh, :face, "conserve")
+    adapt!(mesh, patches, 2)
+    for entity in (:face, :vertex)
+        linear, constant = field(mesh, entity, "conserve"), field(mesh, entity, "average")
+        @test linear != constant && length(linear) == length(constant)
+        @test all(abs.(linear) .<= 1) && all(abs.(constant) .<= 1)
+    end
+end
+
+@testset "what meshes share" begin
+    mesh, patches = grid_with_square()
+    old = copy(mesh)
+    adapt!(mesh, patches, 2)
+    rows = overlap(old, mesh)
+    @test rows.before isa Vector{Int32} && issorted(rows.after)
+    sums(faces, n) = [sum(rows.area[faces .== f]) for f in 1:n]
+    @test sums(rows.before, nfaces(old)) ≈ quality(old, :area)
+    @test sums(rows.after, nfaces(mesh)) ≈ quality(mesh, :area)
+    @test length(overlap(mesh, grid(1)).area) == 1 # what lies outside has no rows
+    curved = Mesh([0 1 1 0; 0 0 1 1; 0 0 1 1], reshape(1:4, 4, 1))
+    @test refusal(() -> overlap(mesh, curved)) == "AMST_ERR_ARGUMENT"
+end
+
 @testset "refused" begin
     mesh = grid(3)
     field_of(args...; carry = :inherit) = refusal(() -> set_field!(mesh, args...; carry = carry))
@@ -55,7 +83,8 @@ end
     @test field_of(:face, "a", fill(Inf, 9)) == "AMST_ERR_NOT_FINITE"
     @test field_of(:face, "a", zeros(0, 9)) == "AMST_ERR_RANGE"
     @test field_of(:face, "a", 1:9; carry = :linear) == "AMST_ERR_ARGUMENT"
-    @test field_of(:vertex, "a", 1:16; carry = :conserve) == "AMST_ERR_ARGUMENT"
+    @test field_of(:edge, "a", 1:24; carry = :conserve) == "AMST_ERR_ARGUMENT"
+    @test field_of(:edge, "a", 1:24; carry = :average) == "AMST_ERR_ARGUMENT"
     @test field_of(:face, "size", 1:9) == "AMST_ERR_ARGUMENT"
     @test field_of(:vertex, "size", 0:15) == "AMST_ERR_RANGE"
     failure = thrown(() -> set_field!(mesh, :vertex, "size", 8:-1:-7; carry = :linear))

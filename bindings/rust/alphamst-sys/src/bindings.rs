@@ -72,6 +72,7 @@ pub const AMST_CARRY_DROP: amst_carry = 0;
 pub const AMST_CARRY_INHERIT: amst_carry = 1;
 pub const AMST_CARRY_LINEAR: amst_carry = 2;
 pub const AMST_CARRY_CONSERVE: amst_carry = 3;
+pub const AMST_CARRY_AVERAGE: amst_carry = 4;
 pub const AMST_CARRY_MAX: amst_carry = 2147483647;
 pub type amst_carry = ::std::os::raw::c_int;
 pub const AMST_DEFECT_INVALID: amst_defect = -1;
@@ -630,6 +631,17 @@ extern "C" {
         mesh: *mut amst_mesh,
         entity: i32,
         name: *const ::std::os::raw::c_char,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_overlap(
+        before: *const amst_mesh,
+        after: *const amst_mesh,
+        before_faces: *mut amst_id,
+        after_faces: *mut amst_id,
+        areas: *mut f64,
+        capacity: i64,
+        needed: *mut i64,
     ) -> amst_status;
 }
 extern "C" {

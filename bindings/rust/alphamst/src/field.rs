@@ -4,7 +4,7 @@ use alphamst_sys as sys;
 
 use crate::enumeration::enumeration;
 use crate::error::check;
-use crate::{array, Entity, Error, Mesh, Result};
+use crate::{array, Entity, Error, FaceId, Mesh, Result};
 
 enumeration! {
     /// How a field follows the mesh through an operation: what gives new entities their values.
@@ -13,11 +13,25 @@ enumeration! {
         Drop = AMST_CARRY_DROP,
         /// The value of the nearest entity that was replaced.
         Inherit = AMST_CARRY_INHERIT,
-        /// Interpolated linearly; for vertices.
+        /// Interpolated linearly; for vertices, also where they have moved.
         Linear = AMST_CARRY_LINEAR,
-        /// Averaged by area, so that the sum of value times area stays; for faces.
+        /// The mean over a face, or over the quarters of faces at a vertex; the sum of value times area
+        /// stays. The field before is taken as linear on each of them.
         Conserve = AMST_CARRY_CONSERVE,
+        /// As `Conserve`, but the field before is taken as constant there.
+        Average = AMST_CARRY_AVERAGE,
     }
+}
+
+/// What a face of one mesh and a face of another share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overlap {
+    /// The face of the mesh before.
+    pub before: FaceId,
+    /// The face of the mesh after.
+    pub after: FaceId,
+    /// The area of both.
+    pub area: f64,
 }
 
 fn utf8(name: &str) -> Result<CString> {
@@ -123,5 +137,47 @@ impl Mesh {
         let name = utf8(name)?;
         // SAFETY: the handle is ours alone.
         self.change(|mesh| check(unsafe { sys::amst_mesh_remove_field(mesh, entity.into(), name.as_ptr()) }))
+    }
+
+    /// What the faces of two meshes of one domain share, as a clone of a mesh and that mesh after an
+    /// operation, for codes that carry their fields themselves: ascending by the face after, then before. In
+    /// a plane the areas of a face sum up to its own where the other mesh covers it.
+    ///
+    /// Errors: `Argument` (one mesh has dim 2, the other 3).
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let rows = mesh.overlap(&mesh)?;
+    /// assert_eq!(rows.len(), 16);
+    /// assert!(rows.iter().all(|row| row.before == row.after && (row.area - 1.0).abs() < 1e-12));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn overlap(&self, after: &Mesh) -> Result<Vec<Overlap>> {
+        // Mostly enough, so that the work is done once: a face meets about four, on either side.
+        let mut capacity = 4 * (self.n_faces() + after.n_faces());
+        loop {
+            let (mut ids, mut others, mut areas) =
+                (vec![0; capacity], vec![0; capacity], vec![0.0; capacity]);
+            let mut needed = 0;
+            // SAFETY: the handles are valid, nobody changes the meshes during the call, which writes at most
+            // the capacity.
+            let status = self.ask_both(after, |before, after| unsafe {
+                let (ids, others) = (ids.as_mut_ptr(), others.as_mut_ptr());
+                let room = capacity as i64;
+                sys::amst_mesh_get_overlap(before, after, ids, others, areas.as_mut_ptr(), room, &mut needed)
+            });
+            if status != sys::AMST_ERR_BUFFER_TOO_SMALL {
+                check(status)?;
+                let rows = ids.into_iter().zip(others).zip(areas).take(array::count(needed));
+                return Ok(rows
+                    .map(|((before, after), area)| Overlap {
+                        before: before.into(),
+                        after: after.into(),
+                        area,
+                    })
+                    .collect());
+            }
+            capacity = array::count(needed);
+        }
     }
 }

@@ -76,7 +76,7 @@ pub use chord::{Chord, ChordProperty};
 pub use context::{CancelToken, Context};
 pub use enumeration::UnknownValue;
 pub use error::{Error, Place};
-pub use field::Carry;
+pub use field::{Carry, Overlap};
 pub use flag::{Defects, Flags, Refusals};
 pub use id::{EdgeId, Entity, EntityId, FaceId, PatchId, VertexId};
 pub use library::{has, version, version_string};

@@ -151,6 +151,19 @@ impl Mesh {
         self.shared.turn.ask(|| call(self.raw.as_ptr()))
     }
 
+    /// Runs a call that asks this mesh and another one.
+    pub(crate) fn ask_both<R>(
+        &self,
+        other: &Mesh,
+        call: impl FnOnce(*const sys::amst_mesh, *const sys::amst_mesh) -> R,
+    ) -> R {
+        if Arc::ptr_eq(&self.shared, &other.shared) {
+            return self.ask(|mesh| call(mesh, other.raw.as_ptr().cast_const()));
+            // one turn is for both
+        }
+        self.ask(|mesh| other.ask(|other| call(mesh, other)))
+    }
+
     /// Runs a call that changes the mesh.
     pub(crate) fn change<R>(&mut self, call: impl FnOnce(*mut sys::amst_mesh) -> R) -> R {
         self.shared.turn.change(|| call(self.raw.as_ptr()))

@@ -148,7 +148,7 @@ impl Report {
         self.origins(Entity::Vertex).into_iter().map(VertexId::some).collect()
     }
 
-    /// The same for edges.
+    /// The same for edges, which are the same if their vertices are.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
@@ -159,7 +159,8 @@ impl Report {
         self.origins(Entity::Edge).into_iter().map(EdgeId::some).collect()
     }
 
-    /// The same for faces.
+    /// The same for faces, which are the same if their vertices are. [`Mesh::overlap`](crate::Mesh::overlap) tells what the
+    /// others cover.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]

@@ -65,6 +65,43 @@ fn an_operation_carries_them() {
 }
 
 #[test]
+fn means_keep_their_range_on_faces_and_vertices() {
+    let (mut mesh, mut patches) = grid::patched(&Context::new(), 10, 2, 8);
+    let values: Vec<f64> = (0..121).map(|i| f64::from(i).sin()).collect();
+    for (entity, n) in [(Entity::Face, 100), (Entity::Vertex, 121)] {
+        mesh.set_field(entity, "linear", 1, Carry::Conserve, &values[..n]).unwrap();
+        mesh.set_field(entity, "constant", 1, Carry::Average, &values[..n]).unwrap();
+    }
+    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    for entity in [Entity::Face, Entity::Vertex] {
+        let linear = mesh.field(entity, "linear").unwrap();
+        let constant = mesh.field(entity, "constant").unwrap();
+        assert_ne!(linear, constant);
+        assert!(linear.iter().chain(&constant).all(|value| value.abs() <= 1.0));
+    }
+}
+
+#[test]
+fn rows_of_overlaps_sum_up_to_areas() {
+    let (mut mesh, mut patches) = grid::patched(&Context::new(), 10, 2, 8);
+    let old = mesh.clone();
+    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    let elsewhere = grid::mesh(&Context::new(), 10, 10); // of another context
+    for before in [&old, &elsewhere] {
+        let rows = before.overlap(&mesh).unwrap();
+        assert!(rows
+            .windows(2)
+            .all(|pair| (pair[0].after, pair[0].before) < (pair[1].after, pair[1].before)));
+        let mut sums = vec![0.0; mesh.n_faces()];
+        rows.iter().for_each(|row| sums[row.after.index()] += row.area);
+        assert!(sums.iter().zip(mesh.quality(Metric::Area)).all(|(sum, area)| (sum - area).abs() < 1e-12));
+    }
+    let space = [[0., 0., 0.], [1., 0., 0.], [1., 1., 1.], [0., 1., 1.]];
+    let curved = Mesh::new(&Context::new(), &space, &[[0, 1, 2, 3]]).unwrap();
+    assert_eq!(mesh.overlap(&curved).unwrap_err().status, Status::Argument);
+}
+
+#[test]
 fn refusals_change_nothing() {
     let mut mesh = grid::mesh(&Context::new(), 2, 2);
     let mut refusal = |entity, name: &str, components, carry, values: &[f64]| {
@@ -89,6 +126,7 @@ fn refusals_change_nothing() {
 #[test]
 fn carries_are_numbers_of_the_header() {
     assert_eq!(Carry::try_from(3), Ok(Carry::Conserve));
-    assert_eq!(Carry::try_from(4), Err(UnknownValue(4)));
+    assert_eq!(Carry::try_from(4), Ok(Carry::Average));
+    assert_eq!(Carry::try_from(5), Err(UnknownValue(5)));
     assert_eq!(i32::from(Carry::Linear), 2);
 }
