@@ -177,7 +177,7 @@ enum amst_refusal {
 enum amst_decomposition {
     AMST_DECOMPOSE_INVALID = -1,
     AMST_DECOMPOSE_CLUSTERS = 0,      /* compact face clusters (Lloyd) */
-    AMST_DECOMPOSE_PARTITION = 1,     /* balanced graph partition (METIS) */
+    AMST_DECOMPOSE_PARTITION = 1,     /* balanced graph partition */
     AMST_DECOMPOSE_VORONOI = 2,       /* geodesic Voronoi cells of faces far from one another */
     AMST_DECOMPOSE_MEDIAL = 3,        /* discs: faces within the largest inscribed circles */
     AMST_DECOMPOSE_SINGULARITIES = 4, /* faces around singular vertices that lie together */
@@ -318,7 +318,7 @@ typedef int32_t (*amst_projection_fn)(void *user, int64_t n, const int32_t *mark
 /* major * 10000 + minor * 100 + patch of the library in use. */
 AMST_API int32_t amst_version(void);
 AMST_API const char *amst_version_string(void);
-/* 1 if the build has the named feature ("threads", "metis"), else 0. */
+/* 1 if the build has the named feature ("threads"), else 0. */
 AMST_API int32_t amst_has(const char *feature);
 /* Name of a status, e.g. "AMST_ERR_STALE"; never NULL. */
 AMST_API const char *amst_status_name(amst_status status);

@@ -36,7 +36,7 @@ std::vector<int> repair_but_rings(const mesh::QuadMesh &mesh, std::vector<int> f
 // Compact clusters (Lloyd on the dual graph).
 std::vector<std::vector<int>> clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
                                        Taken taken);
-// Balanced parts (METIS k-way on the dual graph).
+// Balanced parts (recursive bisection of the dual graph).
 std::vector<std::vector<int>> partition(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
                                         Taken taken);
 // Geodesic Voronoi cells of faces that lie far from one another.

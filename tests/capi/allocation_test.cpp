@@ -166,6 +166,19 @@ TEST_F(Allocation, InAdding) {
     fail_each([&] { return amst_patches_add_rings(set, 8, 1, nullptr); });
 }
 
+TEST_F(Allocation, InDecompositions) {
+    amst_patches *patches = nullptr;
+    amst_options *options = nullptr;
+    ASSERT_EQ(amst_options_create(&options), AMST_OK);
+    ASSERT_EQ(amst_options_set_real(options, AMST_OPT_PATCH_FACES, 16), AMST_OK);
+    for (std::int32_t method = AMST_DECOMPOSE_CLUSTERS; method <= AMST_DECOMPOSE_MEDIAL; ++method) {
+        ASSERT_EQ(amst_patches_create(mesh, options, &patches), AMST_OK);
+        fail_each([&] { return amst_patches_decompose(patches, method, nullptr); });
+        amst_patches_destroy(patches);
+    }
+    amst_options_destroy(options);
+}
+
 TEST_F(Allocation, InFeaturesCrossFieldAndSurface) {
     const std::int32_t triangles[6] = {0, 1, 2, 1, 3, 2};
     std::int64_t mark = 0, found = 0;

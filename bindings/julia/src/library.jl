@@ -12,7 +12,7 @@ library_version() = VersionNumber(unsafe_string(amst_version_string()))
 """
     library_has(feature)
 
-Whether the library was built with a feature: `"threads"` or `"metis"`.
+Whether the library was built with a feature: `"threads"`.
 """
 library_has(feature::AbstractString) = amst_has(feature) != 0
 
