@@ -27,7 +27,9 @@
  *  Ids        Vertices, edges, faces and patches are numbered without gaps from
  *             the context's index base (0 or 1); "none" is base - 1. Ids are
  *             valid for one mesh revision. Faces list corners counter-clockwise.
- *  Units      Lengths are in the unit of the given coordinates, angles in degrees.
+ *  Units      Lengths are in the unit of the given coordinates, angles in degrees. No coordinate
+ *             may be beyond 1e30, and no mesh smaller than 1e-30, unless all of it is at one place:
+ *             AMST_ERR_RANGE.
  *  Threads    Calls that take only const handles may run at the same time. A call
  *             that takes a non-const handle needs it to itself, and its mesh if it
  *             is a patch set; one context serves one thread at a time. Different
@@ -394,7 +396,8 @@ AMST_API amst_status amst_options_get_edges(const amst_options *options, amst_id
  *  1  Every edge gets a vertex at its midpoint and every face one inside: three quads of
  *     a triangle, four of a quad.
  * Errors: ARGUMENT (dim, stride, corners_per_face; a boundary that cannot be kept), RANGE (corner
- * id, count), NOT_FOUND (an edge of the options is no side of a face), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD;
+ * id, count, coordinate), NOT_FOUND (an edge of the options is no side of a face), NOT_FINITE, NOT_QUAD,
+ * NOT_MANIFOLD;
  * ids in their sentences are those given. */
 AMST_API amst_status amst_mesh_create(amst_context *ctx, int32_t dim, const double *coords,
                                       int64_t n_vertices, int64_t vertex_stride, int64_t component_stride,
@@ -440,7 +443,7 @@ AMST_API amst_status amst_mesh_get_revision(const amst_mesh *mesh, int64_t *revi
 AMST_API amst_status amst_mesh_get_points(const amst_mesh *mesh, double *out, int64_t capacity,
                                           int64_t *needed);
 /* New positions for all n vertices, [n][dim]; connectivity and revision stay.
- * Errors: RANGE (n is not the number of vertices), NOT_FINITE. */
+ * Errors: RANGE (n is not the number of vertices, coordinate), NOT_FINITE. */
 AMST_API amst_status amst_mesh_set_points(amst_mesh *mesh, const double *points, int64_t n);
 /* [n_faces][4] vertices */
 AMST_API amst_status amst_mesh_get_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity,
@@ -513,7 +516,7 @@ AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, in
  * No rule leaves the range of the values it takes from, but for CONSERVE on curved faces.
  * A vertex that moves keeps its values, as in amst_mesh_set_points, which leaves all
  * fields as they are. Names are UTF-8. The library reads "size" (vertices, 1 component):
- * the wanted edge length, above 0; and "cross" (faces, 3 components, also for dim 2): a
+ * the wanted edge length, 1e-30 to 1e30; and "cross" (faces, 3 components, also for dim 2): a
  * direction that edges shall have there, or one at right angles to it; 0 0 0 for none.
  * amst_adapt and amst_reduce_singularities write to "size error" (faces, 1 component), if there is such a
  * field, log2(area / wanted area) of each face of the patches or of the whole mesh, as
@@ -522,7 +525,7 @@ AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, in
 /* A new field, or a new one in the place of the old; n is the number of vertices, edges
  * or faces. The revision stays. Errors: ARGUMENT (entity, name empty, carry, carry not
  * for this entity, "size" or "cross" on another entity), RANGE (components < 1 or not those
- * of "size" or "cross", n, "size" not above 0), NOT_FINITE. */
+ * of "size" or "cross", n, "size" not from 1e-30 to 1e30), NOT_FINITE. */
 AMST_API amst_status amst_mesh_set_field(amst_mesh *mesh, int32_t entity, const char *name,
                                          int32_t components, int32_t carry, const double *values, int64_t n);
 /* [count][components]. Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
@@ -548,11 +551,12 @@ AMST_API amst_status amst_mesh_get_alignment(const amst_mesh *mesh, double *mean
 
 /* The surface that a curved mesh keeps to: operations project the vertices to it that they
  * move or add. points [n_points][dim], triangles [n_triangles][3] with ids of those points
- * from the index base; at least one triangle, and any without area do no harm. NULL points
+ * from the index base; at least one triangle has an area, and others without do no harm. NULL points
  * takes the mesh as it is now, two triangles a face, whatever the other arguments are.
  * Until this is called it is the mesh as it is when the first operation on it begins. The
  * surface is part of the mesh as its fields are, but not of the checksum; the revision
- * stays. Errors: RANGE (counts, a triangle with a corner that is no point), NOT_FINITE. */
+ * stays. Errors: RANGE (counts, a triangle with a corner that is no point, coordinate, no area),
+ * NOT_FINITE. */
 AMST_API amst_status amst_mesh_set_surface(amst_mesh *mesh, const double *points, int64_t n_points,
                                            const int32_t *triangles, int64_t n_triangles);
 

@@ -87,6 +87,18 @@ double rms(const std::vector<Outcome> &outcomes, double Outcome::*error, std::in
     return std::sqrt(sum / weight);
 }
 
+// Whatever went wrong before, nobody gets a mesh with such a vertex.
+void require_finite(const mesh::QuadMesh &mesh) {
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        for (const double coordinate : mesh.point(v))
+            if (!std::isfinite(coordinate))
+                throw Failure(
+                    Fault::internal,
+                    "vertex {} would have got a coordinate that is not a finite number, which is a bug; "
+                    "the mesh is as it was",
+                    Entity::vertex, {v});
+}
+
 } // namespace
 
 Change::Busy::Busy(Context &context) : context_(context) {
@@ -266,6 +278,7 @@ amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
     if (!unused.empty())
         made->impl.all.unused_option = unused.front();
     log(outcomes, unused, made->impl);
+    require_finite(*copy_);
     progress_(1, "commit"); // last, so that a log function can cancel, too
     const amst_status status = made->impl.all.status;
     if (status == AMST_PARTIAL)
