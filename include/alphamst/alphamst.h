@@ -306,7 +306,8 @@ typedef struct amst_summary {
     double stddev;
 } amst_summary;
 
-/* fraction is 0..1, stage a static English word. Return non-zero to cancel. */
+/* fraction is 0..1, stage a static English word; long stages tell the same fraction again. Return non-zero to
+ * cancel. */
 typedef int32_t (*amst_progress_fn)(void *user, double fraction, const char *stage);
 /* message is valid during the call only. */
 typedef void (*amst_log_fn)(void *user, int32_t level, const char *message);
@@ -539,7 +540,7 @@ AMST_API amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, con
  * FEATURE and on borders of markers; elsewhere along the principal directions, the more the
  * curvatures in them differ; and between that as smooth as can be. Of the options
  * SMOOTH_STEPS counts, the sweeps on each level of the hierarchy of faces. Takes time in
- * proportion to the faces, on one thread. The revision stays. Errors: STATE. */
+ * proportion to the faces, on one thread. The revision stays. Errors: STATE, CANCELLED. */
 AMST_API amst_status amst_mesh_compute_cross_field(amst_mesh *mesh, const amst_options *options);
 /* Mean angle between the sides of faces and the nearest of the four directions of "cross"
  * and at right angles to it, 0..45 degrees: 0 where edges follow the field, 22.5 where they
@@ -626,7 +627,7 @@ AMST_API amst_status amst_patches_add_box(amst_patches *patches, const double lo
  * that AMST_OPT_SEED chooses and each later one as far as can be from those before.
  * SINGULARITIES: singular vertices share a patch where one can hold them; each away from
  * boundary, flags, markers and taken faces is in a patch, faces far from all are in none.
- * Errors: ARGUMENT (method). */
+ * Errors: ARGUMENT (method), CANCELLED. */
 AMST_API amst_status amst_patches_decompose(amst_patches *patches, int32_t method, int64_t *added);
 /* 3 to 6 boundary vertices in boundary order, counter-clockwise; n = 0 lets the
  * library choose. Whether they are that is told by amst_patches_check. Errors: RANGE
@@ -661,7 +662,7 @@ AMST_API amst_status amst_patches_write(const amst_patches *patches, const char 
  * exact number of faces and of singularities. A very small alpha gives the fewest faces that
  * the boundary allows. Takes as long as doing it, since the best filling is told by its
  * sizes and shapes. Either output may be NULL.
- * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, PATCH, NO_FILLING, GEOMETRY. */
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, RANGE (too many faces), PATCH, NO_FILLING, GEOMETRY. */
 AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, double alpha,
                                           const amst_options *options, int64_t *faces,
                                           int64_t *singularities);
@@ -767,7 +768,8 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            features lose and get vertices only where they are straight. With STRATEGY 0 there are chords
  *            only where a curved mesh that is nearly regular and has no field "size" begins with them.
  * Where a curved mesh cannot have the faces wanted, no more singular vertices are made than there were.
- * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, RANGE (a patch of more than 100,000 faces, a mesh of more than
+ * ids can name). */
 AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);
 /* Replace each patch by its minimum singularity template, boundary kept. patches
@@ -823,13 +825,13 @@ AMST_API amst_status amst_mesh_get_chords(const amst_mesh *mesh, int32_t propert
 AMST_API amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_options *options,
                                          amst_report **report);
 /* Cut the chord through edge into n + 1 parallel ones, n >= 1; a face where it crosses
- * itself into (n + 1)^2. No vertex becomes singular. The vertices, edges and faces that
+ * itself into (n + 1)^2. n is at most 1000. No vertex becomes singular. The vertices, edges and faces that
  * are there stay; as origin all pieces have what they are part of. An open chord puts
  * vertices on the boundary and is only split if AMST_OPT_EDIT_BOUNDARY allows that.
  * Errors: RANGE (edge, n, size of the mesh), CHORD, GEOMETRY. */
 AMST_API amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, int32_t n, const amst_options *options,
                                       amst_report **report);
-/* Lay n >= 1 closed chords around the core of each patch: rings between its boundary,
+/* Lay n closed chords, 1 to 1000, around the core of each patch: rings between its boundary,
  * which stays, and its faces, which keep their connectivity. A patch needs 3 to 6 corners
  * (boundary vertices with one of its faces), or none, and two of its faces at all other
  * boundary vertices. The corners of the core become singular vertices of valence 3; where

@@ -15,14 +15,6 @@
 namespace alphamst::capi {
 namespace {
 
-void tell(Context &context, double fraction, const char *stage) {
-    context.fraction.store(std::clamp(fraction, 0.0, 1.0));
-    const bool stop =
-        context.progress != nullptr && context.progress(context.progress_user, fraction, stage) != 0;
-    if (stop || context.cancel.load())
-        throw Failure(Fault::cancelled, "the operation was cancelled");
-}
-
 Report::Row row_of(const Outcome &outcome, bool exact) {
     Report::Row row;
     row.status = outcome.fault ? status_of(*outcome.fault)
@@ -101,24 +93,16 @@ void require_finite(const mesh::QuadMesh &mesh) {
 
 } // namespace
 
-Change::Busy::Busy(Context &context) : context_(context) {
-    if (context.busy.exchange(true, std::memory_order_acq_rel))
-        throw Failure(Fault::state, "an operation of this context is under way; a callback may only ask");
-}
-
 Change::Change(const char *name, const amst_mesh &mesh, const amst_patches *patches)
     : name_(name), mesh_(mesh.impl), patches_(patches == nullptr ? nullptr : patches->impl),
-      busy_(*mesh_->context) {
+      under_way_(mesh_->context) {
     if (patches_ != nullptr) {
         if (patches_->mesh != mesh_)
             throw Failure(Fault::argument, "the patches are of another mesh");
         patches_->require_current();
         regions_ = patches_->regions;
     }
-    progress_ = [context = mesh_->context.get()](double fraction, const char *stage) {
-        tell(*context, fraction, stage);
-    };
-    progress_(0, "start");
+    progress()(0, "start");
     copy_ = std::make_shared<mesh::QuadMesh>(*mesh_->current);
     copy_->reset_origins();
     copy_->begun = mesh_->current;
@@ -132,6 +116,7 @@ Settings Change::settings(const Options &options) {
         settings.log = std::make_shared<const Log>(Log{
             context.log_level, [this](int level, const std::string &message) {
                 const Context &context = *mesh_->context;
+                const Stop none(nullptr);                                 // as for progress, see UnderWay
                 if (context.log != nullptr && level <= context.log_level) // a callback may have changed it
                     context.log(context.log_user, level, (std::string(name_) + ": " + message).c_str());
             }});
@@ -149,6 +134,7 @@ reference::Project Change::projection() const {
         std::vector<double> given, found(dim * points.size(), std::numeric_limits<double>::quiet_NaN());
         for (const Eigen::Vector3d &p : points)
             given.insert(given.end(), p.data(), p.data() + dim);
+        const Stop none(nullptr);
         if (const std::int32_t status = fn(user, static_cast<std::int64_t>(points.size()), markers.data(),
                                            given.data(), found.data());
             status != 0)
@@ -231,6 +217,7 @@ void Change::log(const std::vector<Outcome> &outcomes, const std::vector<std::in
     if (context.log == nullptr)
         return;
     const auto say = [&](std::int32_t level, const std::string &message) {
+        const Stop none(nullptr);
         if (level <= context.log_level)
             context.log(context.log_user, level, message.c_str());
     };
@@ -267,7 +254,7 @@ amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
                            const std::vector<std::int32_t> &in_use, amst_report **report) {
     if (const reference::Project project = projection(); project && options_.edit_boundary)
         reference::project_new_vertices(*copy_, project, settings_of(options_, 1).tolerance);
-    transfer::carry(*mesh_->current, *copy_, progress_);
+    transfer::carry(*mesh_->current, *copy_, progress());
     write_size_errors(outcomes);
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
     if (report != nullptr)
@@ -279,7 +266,7 @@ amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
         made->impl.all.unused_option = unused.front();
     log(outcomes, unused, made->impl);
     require_finite(*copy_);
-    progress_(1, "commit"); // last, so that a log function can cancel, too
+    progress()(1, "commit"); // last, so that a log function can cancel, too
     const amst_status status = made->impl.all.status;
     if (status == AMST_PARTIAL)
         record_first_remark(outcomes);

@@ -44,8 +44,8 @@ private:
 class Bisection {
 public:
     Bisection(const Graph &graph, std::size_t wanted, std::size_t slack, std::vector<char> side,
-              const std::function<void()> &pause)
-        : graph_(graph), wanted_(wanted), slack_(slack), side_(std::move(side)), pause_(pause) {
+              const Pace &pace)
+        : graph_(graph), wanted_(wanted), slack_(slack), side_(std::move(side)), pace_(pace) {
         count_ = static_cast<std::size_t>(std::ranges::count(side_, 0));
         mend();
         // What was not connected is put right and refined again; three times, as it seldom happens twice.
@@ -91,7 +91,6 @@ private:
     void refine() {
         constexpr int passes = 10; // later ones gain next to nothing
         for (int pass = 0; pass < passes; ++pass) {
-            pause_();
             if (!improve())
                 return;
         }
@@ -102,6 +101,7 @@ private:
     bool improve() {
         constexpr std::size_t patience = 200; // moves without a new best: more are seldom made good
         std::array<Gains, 2> gains;
+        pace_.step(graph_.size() / 8); // that is quick
         for (std::size_t i = 0; i < graph_.size(); ++i)
             if (const auto next = graph_.neighbours(i);
                 std::ranges::any_of(next, [&](std::int32_t other) { return side_[at(other)] != side_[i]; }))
@@ -177,7 +177,7 @@ private:
     const Graph &graph_;
     std::size_t wanted_, slack_, count_ = 0; // nodes on side 0
     std::vector<char> side_;
-    const std::function<void()> &pause_;
+    const Pace &pace_;
 };
 
 // The first of an order on side 0.
@@ -258,12 +258,12 @@ std::vector<char> grown(const Graph &graph, std::size_t wanted, std::size_t from
 } // namespace
 
 std::vector<char> bisect(const Graph &graph, std::size_t wanted, std::size_t slack, Random &random,
-                         const std::function<void()> &pause) {
+                         const Pace &pace) {
     std::vector<char> best;
     std::size_t cost = 0;
     const auto consider = [&](std::vector<char> side) {
-        pause();
-        const Bisection refined(graph, wanted, slack, std::move(side), pause);
+        pace.step(graph.size());
+        const Bisection refined(graph, wanted, slack, std::move(side), pace);
         if (best.empty() || refined.cost() < cost) {
             best = refined.side();
             cost = refined.cost();

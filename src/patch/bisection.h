@@ -5,12 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "pace.h"
 #include "random.h"
 
 namespace alphamst::patch {
@@ -28,8 +28,8 @@ struct Graph {
 };
 
 // Side of every node, 0 or 1. Side 0 has `wanted` nodes, one to size() - 1, or `slack` more or less; farther
-// off only where its side would not be connected otherwise. `pause` is called often, and may throw.
+// off only where its side would not be connected otherwise.
 std::vector<char> bisect(const Graph &graph, std::size_t wanted, std::size_t slack, Random &random,
-                         const std::function<void()> &pause);
+                         const Pace &pace);
 
 } // namespace alphamst::patch

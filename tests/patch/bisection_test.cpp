@@ -9,7 +9,7 @@
 namespace alphamst::patch {
 namespace {
 
-const std::function<void()> unwatched = [] {};
+const Pace unwatched;
 
 // Faces of a grid, without those of a block in its middle.
 Graph grid_graph(int nx, int ny, int hole = 0) {
@@ -94,14 +94,14 @@ TEST(Bisection, CanBeStoppedSoon) {
     const Graph graph = grid_graph(60, 60);
     int pauses = 0;
     Random random(1);
-    EXPECT_THROW(bisect(graph, 1800, 0, random,
-                        [&] {
-                            if (++pauses == 3)
-                                throw Stop();
-                        }),
-                 Stop);
+    const Progress stop = [&](double, const char *) {
+        if (++pauses == 3)
+            throw Stop();
+    };
+    EXPECT_THROW(bisect(graph, 1800, 0, random, Pace(stop, "bisect")), Stop);
     Random other(1);
-    bisect(graph, 1800, 0, other, [&] { ++pauses; });
+    const Progress count = [&](double, const char *) { ++pauses; };
+    bisect(graph, 1800, 0, other, Pace(count, "bisect"));
     EXPECT_GT(pauses, 10);
 }
 
