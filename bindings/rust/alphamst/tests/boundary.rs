@@ -69,7 +69,7 @@ fn new_vertices_lie_on_the_circle() {
 fn without_the_option_nobody_asks() {
     let mut mesh = disk(&Context::new());
     let calls = counted(&mut mesh);
-    mesh.adapt(None, 4.0, None).unwrap();
+    let _ = mesh.adapt(None, 4.0, None).unwrap();
     assert_eq!((radii(&mesh).len(), calls.load(Ordering::Relaxed)), (32, 0));
 }
 
