@@ -73,6 +73,11 @@ def matrix(_):
             print(f"{compiler} -std={standard}: {'ok' if done.returncode == 0 else 'FAILED'}")
             if done.returncode != 0:
                 wrong.append(done.stderr)
+        command = [compiler, f"-std={standards[-1]}", f"-I{INCLUDE}", "-c", "-o", os.devnull, "-x", language, "-"]
+        done = run(command, input="#include <alphamst/alphamst.h>\n"
+                                  "int look(void) { amst_options_create(0); return 0; }\n")
+        if "amst_options_create" not in done.stderr:
+            wrong.append(f"{compiler} does not warn of a status that is not looked at")
     return wrong
 
 

@@ -84,15 +84,15 @@ protected:
 
     std::vector<std::int64_t> state() const {
         std::int64_t digest = 0, revision = 0, patches = 0, size = 0;
-        amst_mesh_get_checksum(mesh, &digest);
-        amst_mesh_get_revision(mesh, &revision);
-        amst_patches_get_count(set, &patches);
-        amst_patches_get_faces(set, 0, nullptr, 0, &size);
+        EXPECT_EQ(amst_mesh_get_checksum(mesh, &digest), AMST_OK);
+        EXPECT_EQ(amst_mesh_get_revision(mesh, &revision), AMST_OK);
+        EXPECT_EQ(amst_patches_get_count(set, &patches), AMST_OK);
+        EXPECT_EQ(amst_patches_get_faces(set, 0, nullptr, 0, &size), AMST_OK);
         std::vector<std::int64_t> told{digest, revision, patches, size};
         for (const auto &[entity, name] : fields) {
             std::int64_t n = -1;
-            amst_mesh_get_field(mesh, entity, name, nullptr, 0, &n);
-            told.push_back(n);
+            const amst_status status = amst_mesh_get_field(mesh, entity, name, nullptr, 0, &n);
+            told.push_back(status == AMST_OK ? n : -1);
         }
         return told;
     }

@@ -28,7 +28,7 @@ fn progress_rises_on_the_calling_thread() {
             ControlFlow::Continue(())
         })
         .unwrap();
-    run(&mut mesh, &mut patches).unwrap();
+    let _ = run(&mut mesh, &mut patches).unwrap();
     let seen = std::mem::take(&mut *seen.lock().unwrap());
     assert!(seen.len() >= 3 && seen.windows(2).all(|pair| pair[0].0 <= pair[1].0));
     assert_eq!((seen[0].0, seen[seen.len() - 1].0), (0.0, 1.0));
@@ -89,7 +89,7 @@ fn a_panic_at_any_call_changes_nothing() {
         }
         assert_eq!((mesh.checksum(), mesh.revision()), (digest, 0));
         context.clear_progress().unwrap();
-        mesh.clone().smooth(None, None).unwrap(); // the panic is over, the context is free
+        let _ = mesh.clone().smooth(None, None).unwrap(); // the panic is over, the context is free
         stops += 1;
     }
     assert!(stops >= 2);
@@ -229,7 +229,7 @@ fn callbacks_may_ask_and_drop_but_not_change() {
             ControlFlow::Continue(())
         })
         .unwrap();
-    run(&mut mesh, &mut patches).unwrap();
+    let _ = run(&mut mesh, &mut patches).unwrap();
     assert!(calls.load(Ordering::Relaxed) > 1);
     context.clear_progress().unwrap(); // ends the circle of context, function and mesh
 }
