@@ -39,10 +39,11 @@ inline void require_wanted_in_patch(std::size_t p, std::size_t n_faces, double a
     if (alpha <= 1 || alpha * static_cast<double>(n_faces) <= max_patch_faces)
         return;
     const auto patch = static_cast<std::int64_t>(p);
-    Failure failure(Fault::range,
-                    "patch {} would get more than 100000 faces, which are too many to be laid at once; take a "
-                    "smaller alpha or smaller patches, or adapt in steps",
-                    Entity::none, {patch});
+    Failure failure(
+        Fault::range,
+        "patch {} would get more than 100000 faces, which are too many to be laid at once; take a "
+        "smaller alpha or smaller patches, or adapt in steps",
+        Entity::none, {patch});
     failure.patch = patch;
     throw failure;
 }
