@@ -14,13 +14,14 @@ UnderWay::UnderWay(std::shared_ptr<Context> context)
 }
 
 void UnderWay::tell(double fraction, const char *stage) {
-    context_->fraction.store(std::clamp(fraction, 0.0, 1.0));
+    told_ = std::clamp(fraction, told_, 1.0); // rounding must not let it fall
+    context_->fraction.store(told_);
     stage_ = stage;
     asked_ = 0;
     bool stop = false;
     if (context_->progress != nullptr) {
         const Stop none(nullptr); // what the callback asks of the library is not stopped
-        stop = context_->progress(context_->progress_user, fraction, stage) != 0;
+        stop = context_->progress(context_->progress_user, told_, stage) != 0;
     }
     if (stop || context_->cancel.load())
         throw Failure(Fault::cancelled, "the operation was cancelled");
@@ -32,7 +33,7 @@ void UnderWay::ask() {
     if (context_->cancel.load(std::memory_order_relaxed))
         throw Failure(Fault::cancelled, "the operation was cancelled");
     if (std::this_thread::get_id() == caller_ && ++asked_ >= often)
-        tell(context_->fraction.load(), stage_);
+        tell(told_, stage_);
 }
 
 } // namespace alphamst::capi

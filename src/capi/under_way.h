@@ -27,8 +27,9 @@ private:
 
     std::shared_ptr<Context> context_;
     const std::thread::id caller_ = std::this_thread::get_id();
-    const char *stage_ = "start"; // told last, as the fraction of the context
-    int asked_ = 0;               // by the caller's thread since it told anything
+    double told_ = 0; // fraction, and its stage
+    const char *stage_ = "start";
+    int asked_ = 0; // by the caller's thread since it told anything
     Progress progress_;
     Stop::Ask ask_;
     Stop stop_;

