@@ -182,11 +182,11 @@ TEST_F(Allocation, InDecompositions) {
 }
 
 TEST_F(Allocation, InFeaturesCrossFieldAndSurface) {
-    const std::int32_t triangles[6] = {0, 1, 2, 1, 3, 2};
+    const std::int32_t triangles[6] = {0, 1, side + 2, 0, side + 2, side + 1};
     std::int64_t mark = 0, found = 0;
     fail_each([&] { return amst_mesh_detect_features(mesh, 30, &found); });
     fail_each([&] { return amst_mesh_compute_cross_field(mesh, nullptr); });
-    fail_each([&] { return amst_mesh_set_surface(mesh, points.data(), 4, triangles, 2); });
+    fail_each([&] { return amst_mesh_set_surface(mesh, points.data(), side + 3, triangles, 2); });
     ASSERT_EQ(amst_mesh_mark(mesh, &mark), AMST_OK);
     fail_each([&] { return amst_mesh_set_surface(mesh, nullptr, 0, nullptr, 0); });
 }
