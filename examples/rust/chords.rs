@@ -50,10 +50,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     show("read", &mut mesh, prefix, "read")?;
     let edge = ring(&mesh).0.ok_or("no closed chord")?;
-    mesh.split_chord(edge, 2, None)?;
+    let _ = mesh.split_chord(edge, 2, None)?;
     show("two rings in", &mut mesh, prefix, "in")?;
     let edge = ring(&mesh).0.ok_or("no closed chord")?;
-    mesh.collapse_chord(edge, None)?;
+    let _ = mesh.collapse_chord(edge, None)?;
     show("one ring out", &mut mesh, prefix, "out")?;
     Ok(())
 }

@@ -20,7 +20,7 @@ fn print_row(what: &str, mesh: &Mesh, digest_at_start: i64) {
 fn adapt_ball(mesh: &mut Mesh, x: f64, y: f64, alpha: f64) -> Result<(), alphamst::Error> {
     let mut patches = Patches::new(mesh, None);
     patches.add_ball([x, y, 0.0], 0.8)?;
-    mesh.adapt(&mut patches, alpha, None)?;
+    let _ = mesh.adapt(&mut patches, alpha, None)?;
     Ok(())
 }
 
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     adapt_ball(&mut mesh, 4.9, 5.3, 3.0)?;
     print_row("refined", &mesh, digest);
     let second = mesh.mark()?;
-    mesh.smooth(None, None)?;
+    let _ = mesh.smooth(None, None)?;
     print_row("smoothed", &mesh, digest);
     mesh.rollback(second)?;
     print_row("not smoothed", &mesh, digest);

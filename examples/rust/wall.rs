@@ -119,7 +119,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let foot = circle[step * ALONG / (steps + 1)].map(|x| OUTER * x);
             let n_faces = mesh.n_faces() as f64;
             let alpha = want_sizes(&mut mesh, foot)? / n_faces;
-            mesh.adapt(None, alpha, &options)?;
+            let _ = mesh.adapt(None, alpha, &options)?;
         }
         print_row(&mesh, step)?;
         if let Some(prefix) = arguments.get(2) {

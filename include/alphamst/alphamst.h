@@ -9,7 +9,8 @@
  *  Status     Fallible calls return amst_status: 0 success, > 0 success with a
  *             remark, < 0 failure. After a failure every handle passed in is as
  *             it was before the call and no output argument has been written,
- *             except a `needed` count. amst_last_error() has the words.
+ *             except a `needed` count. amst_last_error() has the words. A compiler that
+ *             knows how (GCC, Clang) warns where the status is not looked at.
  *  Ownership  A handle written through `T **out` belongs to the caller, who ends
  *             it with the matching _destroy; NULL is accepted there. Handles may
  *             be destroyed in any order and from any thread: a child keeps what
@@ -27,7 +28,9 @@
  *  Ids        Vertices, edges, faces and patches are numbered without gaps from
  *             the context's index base (0 or 1); "none" is base - 1. Ids are
  *             valid for one mesh revision. Faces list corners counter-clockwise.
- *  Units      Lengths are in the unit of the given coordinates, angles in degrees.
+ *  Units      Lengths are in the unit of the given coordinates, angles in degrees. No coordinate
+ *             may be beyond 1e30, and no mesh smaller than 1e-30, unless all of it is at one place:
+ *             AMST_ERR_RANGE.
  *  Threads    Calls that take only const handles may run at the same time. A call
  *             that takes a non-const handle needs it to itself, and its mesh if it
  *             is a patch set; one context serves one thread at a time. Different
@@ -58,6 +61,13 @@
 #define AMST_API __attribute__((visibility("default")))
 #else
 #define AMST_API
+#endif
+
+/* What can fail: compilers warn where the status is not looked at. */
+#if defined(__GNUC__)
+#define AMST_TRY AMST_API __attribute__((warn_unused_result))
+#else
+#define AMST_TRY AMST_API
 #endif
 
 #ifdef __cplusplus
@@ -178,7 +188,7 @@ enum amst_refusal {
 enum amst_decomposition {
     AMST_DECOMPOSE_INVALID = -1,
     AMST_DECOMPOSE_CLUSTERS = 0,      /* compact face clusters (Lloyd) */
-    AMST_DECOMPOSE_PARTITION = 1,     /* balanced graph partition (METIS) */
+    AMST_DECOMPOSE_PARTITION = 1,     /* balanced graph partition */
     AMST_DECOMPOSE_VORONOI = 2,       /* geodesic Voronoi cells of faces far from one another */
     AMST_DECOMPOSE_MEDIAL = 3,        /* discs: faces within the largest inscribed circles */
     AMST_DECOMPOSE_SINGULARITIES = 4, /* faces around singular vertices that lie together */
@@ -306,7 +316,8 @@ typedef struct amst_summary {
     double stddev;
 } amst_summary;
 
-/* fraction is 0..1, stage a static English word. Return non-zero to cancel. */
+/* fraction is 0..1, stage a static English word; long stages tell the same fraction again. Return non-zero to
+ * cancel. */
 typedef int32_t (*amst_progress_fn)(void *user, double fraction, const char *stage);
 /* message is valid during the call only. */
 typedef void (*amst_log_fn)(void *user, int32_t level, const char *message);
@@ -320,7 +331,7 @@ typedef int32_t (*amst_projection_fn)(void *user, int64_t n, const int32_t *mark
 /* major * 10000 + minor * 100 + patch of the library in use. */
 AMST_API int32_t amst_version(void);
 AMST_API const char *amst_version_string(void);
-/* 1 if the build has the named feature ("threads", "metis"), else 0. */
+/* 1 if the build has the named feature ("threads"), else 0. */
 AMST_API int32_t amst_has(const char *feature);
 /* Name of a status, e.g. "AMST_ERR_STALE"; never NULL. */
 AMST_API const char *amst_status_name(amst_status status);
@@ -330,47 +341,47 @@ AMST_API const char *amst_status_name(amst_status status);
 AMST_API const char *amst_last_error(void);
 /* Where it happened: AMST_ENTITY_NONE if it is not about one entity; patch is
  * "none" if it is not about one patch. Any output may be NULL. */
-AMST_API amst_status amst_last_error_where(int32_t *entity, amst_id *id, amst_id *patch);
+AMST_TRY amst_status amst_last_error_where(int32_t *entity, amst_id *id, amst_id *patch);
 
 /* ------------------------------------------------------------------ context */
 
 /* index_base 0 or 1: numbering of every id that crosses this interface.
  * Errors: ARGUMENT (index_base). */
-AMST_API amst_status amst_context_create(int32_t index_base, amst_context **out);
+AMST_TRY amst_status amst_context_create(int32_t index_base, amst_context **out);
 AMST_API void amst_context_destroy(amst_context *ctx);
 /* Threads of an operation: 0 all cores, n at most n; 1 at creation. Errors: RANGE (n < 0). */
-AMST_API amst_status amst_context_set_threads(amst_context *ctx, int32_t n);
+AMST_TRY amst_status amst_context_set_threads(amst_context *ctx, int32_t n);
 /* Messages up to a level of amst_log_level, and the progress of operations, go to
  * the caller's functions, which get `user` back. NULL fn switches off, which is the
  * state at creation: nothing is ever printed. Errors: ARGUMENT (level). */
-AMST_API amst_status amst_context_set_log(amst_context *ctx, int32_t level, amst_log_fn fn, void *user);
-AMST_API amst_status amst_context_set_progress(amst_context *ctx, amst_progress_fn fn, void *user);
+AMST_TRY amst_status amst_context_set_log(amst_context *ctx, int32_t level, amst_log_fn fn, void *user);
+AMST_TRY amst_status amst_context_set_progress(amst_context *ctx, amst_progress_fn fn, void *user);
 /* The next two may be called from any thread while an operation runs. A raised
  * flag (not 0) stays up, and stops operations with AMST_ERR_CANCELLED, until it is
  * lowered (0). fraction: 0..1, of the operation under way or else of the last one. */
-AMST_API amst_status amst_context_set_cancel(amst_context *ctx, int32_t flag);
-AMST_API amst_status amst_context_get_progress(const amst_context *ctx, double *fraction);
+AMST_TRY amst_status amst_context_set_cancel(amst_context *ctx, int32_t flag);
+AMST_TRY amst_status amst_context_get_progress(const amst_context *ctx, double *fraction);
 
 /* ------------------------------------------------------------------ options */
 /* Every `const amst_options *` argument may be NULL: all defaults. Which options count in an operation is in
  * the table of amst_adapt. One of that table, but for SEED and SMOOTH_STEPS, that is not at its default and
  * has no effect on the call is told by AMST_RESULT_UNUSED_OPTION and a line of AMST_LOG_WARNING. */
 
-AMST_API amst_status amst_options_create(amst_options **out);
+AMST_TRY amst_status amst_options_create(amst_options **out);
 AMST_API void amst_options_destroy(amst_options *options);
 /* Errors: NOT_FOUND (a key of the other type or unknown to this version), RANGE
  * (value, see amst_option), NOT_FINITE. */
-AMST_API amst_status amst_options_set_int(amst_options *options, int32_t key, int64_t value);
-AMST_API amst_status amst_options_set_real(amst_options *options, int32_t key, double value);
-AMST_API amst_status amst_options_get_int(const amst_options *options, int32_t key, int64_t *value);
-AMST_API amst_status amst_options_get_real(const amst_options *options, int32_t key, double *value);
+AMST_TRY amst_status amst_options_set_int(amst_options *options, int32_t key, int64_t value);
+AMST_TRY amst_status amst_options_set_real(amst_options *options, int32_t key, double value);
+AMST_TRY amst_status amst_options_get_int(const amst_options *options, int32_t key, int64_t *value);
+AMST_TRY amst_status amst_options_get_real(const amst_options *options, int32_t key, double *value);
 /* Edges that no pair of triangles crosses in amst_mesh_create and amst_mesh_read: edge e is between
  * vertices[2 * e] and vertices[2 * e + 1], ids of the mesh given, in the index base of its context. They take
  * the place of those set before; n_edges 0: none. An edge may get a vertex at its midpoint. In the new mesh
  * they are no features, unless amst_mesh_set_flags makes them some. Errors: NULL, RANGE (count). */
-AMST_API amst_status amst_options_set_edges(amst_options *options, const amst_id *vertices, int64_t n_edges);
+AMST_TRY amst_status amst_options_set_edges(amst_options *options, const amst_id *vertices, int64_t n_edges);
 /* 2 elements an edge, as they were set. */
-AMST_API amst_status amst_options_get_edges(const amst_options *options, amst_id *out, int64_t capacity,
+AMST_TRY amst_status amst_options_get_edges(const amst_options *options, amst_id *out, int64_t capacity,
                                             int64_t *needed);
 
 /* --------------------------------------------------------------------- mesh */
@@ -396,15 +407,16 @@ AMST_API amst_status amst_options_get_edges(const amst_options *options, amst_id
  *  1  Every edge gets a vertex at its midpoint and every face one inside: three quads of
  *     a triangle, four of a quad.
  * Errors: ARGUMENT (dim, stride, corners_per_face; a boundary that cannot be kept), RANGE (corner
- * id, count), NOT_FOUND (an edge of the options is no side of a face), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD;
+ * id, count, coordinate), NOT_FOUND (an edge of the options is no side of a face), NOT_FINITE, NOT_QUAD,
+ * NOT_MANIFOLD;
  * ids in their sentences are those given. */
-AMST_API amst_status amst_mesh_create(amst_context *ctx, int32_t dim, const double *coords,
+AMST_TRY amst_status amst_mesh_create(amst_context *ctx, int32_t dim, const double *coords,
                                       int64_t n_vertices, int64_t vertex_stride, int64_t component_stride,
                                       const int32_t *faces, int64_t n_faces, int64_t face_stride,
                                       int64_t corner_stride, int32_t corners_per_face,
                                       const amst_options *options, amst_mesh **out);
 /* The same with 64-bit corner ids; they must still fit amst_id. */
-AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const double *coords,
+AMST_TRY amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const double *coords,
                                           int64_t n_vertices, int64_t vertex_stride, int64_t component_stride,
                                           const int64_t *faces, int64_t n_faces, int64_t face_stride,
                                           int64_t corner_stride, int32_t corners_per_face,
@@ -424,7 +436,7 @@ AMST_API amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
  * A line with a marker that is no edge of a face is left out, and so is a point that no face has.
  * AMST_LOG_WARNING tells, and the result is AMST_PARTIAL, unless it was the number of a curve.
  * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of amst_mesh_create. */
-AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
+AMST_TRY amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                                     amst_mesh **out);
 /* The same formats (.msh is Gmsh 2.2), and .svg, a picture with the singularities marked and, if there is an
  * edge field "chord", with a line through each face between opposite edges of equal value, whose colour the
@@ -433,75 +445,75 @@ AMST_API amst_status amst_mesh_read(amst_context *ctx, const char *path, const a
  * all markers and names; .vtk markers, as "marker" of cells; .su2 markers of edges, named by their numbers
  * where they have no name; the others none. AMST_LOG_WARNING tells what is left out. A failure leaves no
  * half-written file. Errors: IO, UNSUPPORTED (extension). */
-AMST_API amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
+AMST_TRY amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, markers, fields and revision, without savepoints. */
-AMST_API amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
+AMST_TRY amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
 AMST_API void amst_mesh_destroy(amst_mesh *mesh);
 
 /* 2 or 3 coordinates a point */
-AMST_API amst_status amst_mesh_get_dim(const amst_mesh *mesh, int32_t *dim);
+AMST_TRY amst_status amst_mesh_get_dim(const amst_mesh *mesh, int32_t *dim);
 /* Number of vertices, edges or faces. Errors: ARGUMENT (entity). */
-AMST_API amst_status amst_mesh_get_count(const amst_mesh *mesh, int32_t entity, int64_t *count);
+AMST_TRY amst_status amst_mesh_get_count(const amst_mesh *mesh, int32_t entity, int64_t *count);
 /* Rises with every change of connectivity; never repeats in one mesh, except
  * that rollback returns to the number it names. */
-AMST_API amst_status amst_mesh_get_revision(const amst_mesh *mesh, int64_t *revision);
+AMST_TRY amst_status amst_mesh_get_revision(const amst_mesh *mesh, int64_t *revision);
 /* [n_vertices][dim] */
-AMST_API amst_status amst_mesh_get_points(const amst_mesh *mesh, double *out, int64_t capacity,
+AMST_TRY amst_status amst_mesh_get_points(const amst_mesh *mesh, double *out, int64_t capacity,
                                           int64_t *needed);
 /* New positions for all n vertices, [n][dim]; connectivity and revision stay.
- * Errors: RANGE (n is not the number of vertices), NOT_FINITE. */
-AMST_API amst_status amst_mesh_set_points(amst_mesh *mesh, const double *points, int64_t n);
+ * Errors: RANGE (n is not the number of vertices, coordinate), NOT_FINITE. */
+AMST_TRY amst_status amst_mesh_set_points(amst_mesh *mesh, const double *points, int64_t n);
 /* [n_faces][4] vertices */
-AMST_API amst_status amst_mesh_get_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+AMST_TRY amst_status amst_mesh_get_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity,
                                          int64_t *needed);
 /* [n_edges][2] vertices, smaller id first */
-AMST_API amst_status amst_mesh_get_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+AMST_TRY amst_status amst_mesh_get_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
                                          int64_t *needed);
 /* [n_edges][2] faces, left then right of the edge, "none" beyond the boundary */
-AMST_API amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+AMST_TRY amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity,
                                               int64_t *needed);
 /* Edge of each of n vertex pairs, "none" where there is no such edge; edges has
  * room for n ids. Errors: RANGE (vertex, n). */
-AMST_API amst_status amst_mesh_find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n,
+AMST_TRY amst_status amst_mesh_find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n,
                                           amst_id *edges);
 /* What pairs of triangles did to edges when the mesh was created or read; the ids are those of that time,
  * whatever became of the mesh, and clones have the same. [n][2] vertices of sharp edges that are within quads
  * since then; ascending. */
-AMST_API amst_status amst_mesh_get_crossed_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+AMST_TRY amst_status amst_mesh_get_crossed_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
                                                  int64_t *needed);
 /* [n][3]: two vertices, smaller id first, and the new one at the midpoint of the edge between them, which may
  * be half of another edge. */
-AMST_API amst_status amst_mesh_get_split_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+AMST_TRY amst_status amst_mesh_get_split_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
                                                int64_t *needed);
 /* [n_vertices] number of edges at each vertex */
-AMST_API amst_status amst_mesh_get_valences(const amst_mesh *mesh, int32_t *out, int64_t capacity,
+AMST_TRY amst_status amst_mesh_get_valences(const amst_mesh *mesh, int32_t *out, int64_t capacity,
                                             int64_t *needed);
 /* Interior vertices of valence != 4, ascending. */
-AMST_API amst_status amst_mesh_get_singularities(const amst_mesh *mesh, amst_id *out, int64_t capacity,
+AMST_TRY amst_status amst_mesh_get_singularities(const amst_mesh *mesh, amst_id *out, int64_t capacity,
                                                  int64_t *needed);
 /* Full check of connectivity and, for dim 2, orientation: no corner turned over or
  * flat. The first fault is in amst_last_error_where. */
-AMST_API amst_status amst_mesh_check(const amst_mesh *mesh);
+AMST_TRY amst_status amst_mesh_check(const amst_mesh *mesh);
 /* 64-bit digest of coordinates, connectivity, flags and markers; equal meshes,
  * equal digest. Fields and names of markers are not in it. */
-AMST_API amst_status amst_mesh_get_checksum(const amst_mesh *mesh, int64_t *digest);
+AMST_TRY amst_status amst_mesh_get_checksum(const amst_mesh *mesh, int64_t *digest);
 
 /* -------------------------------------------------------------------- flags */
 
 /* For the n given entities set the amst_flag bits in mask as they are in value. ids
  * NULL stands for all entities, whatever n is. Vertices with a marker stay CORNER. The revision stays.
  * Errors: ARGUMENT (entity), RANGE (id, n, bits that are no flag). */
-AMST_API amst_status amst_mesh_set_flags(amst_mesh *mesh, int32_t entity, const amst_id *ids, int64_t n,
+AMST_TRY amst_status amst_mesh_set_flags(amst_mesh *mesh, int32_t entity, const amst_id *ids, int64_t n,
                                          int32_t mask, int32_t value);
 /* amst_flag bits of every vertex, edge or face. Errors: ARGUMENT (entity). */
-AMST_API amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, int32_t *out,
+AMST_TRY amst_status amst_mesh_get_flags(const amst_mesh *mesh, int32_t entity, int32_t *out,
                                          int64_t capacity, int64_t *needed);
 /* Flags the edges whose two faces have normals more than angle degrees apart, 0..180, as
  * FEATURE; and as CORNER the vertices where curves of FEATURE edges, these and those that
  * had the flag before, end or cross (one or more than two edges of them) or turn by more
  * than 60 degrees, but not right back: that is a fold. No flag is taken away; the revision stays. found, the
  * number of edges at more than angle, may be NULL. Errors: NOT_FINITE, RANGE (angle). */
-AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, int64_t *found);
+AMST_TRY amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, int64_t *found);
 
 /* ------------------------------------------------------------------ markers */
 /* Numbers that say what belongs together: edges of a boundary or of a line inside, faces of a region, points.
@@ -516,21 +528,21 @@ AMST_API amst_status amst_mesh_detect_features(amst_mesh *mesh, double angle, in
 /* The marker of the n given entities becomes value, 0: none. ids NULL stands for all entities, whatever n is.
  * Vertices become CORNER if value is not 0, and stay it if it is. The revision stays.
  * Errors: ARGUMENT (entity), RANGE (id, n). */
-AMST_API amst_status amst_mesh_set_markers(amst_mesh *mesh, int32_t entity, const amst_id *ids, int64_t n,
+AMST_TRY amst_status amst_mesh_set_markers(amst_mesh *mesh, int32_t entity, const amst_id *ids, int64_t n,
                                            int32_t value);
 /* [count] marker of every vertex, edge or face, 0: none. Errors: ARGUMENT (entity). */
-AMST_API amst_status amst_mesh_get_markers(const amst_mesh *mesh, int32_t entity, int32_t *out,
+AMST_TRY amst_status amst_mesh_get_markers(const amst_mesh *mesh, int32_t entity, int32_t *out,
                                            int64_t capacity, int64_t *needed);
 /* The markers that some vertex, edge or face has, each once, ascending. Errors: ARGUMENT (entity). */
-AMST_API amst_status amst_mesh_get_marker_list(const amst_mesh *mesh, int32_t entity, int32_t *out,
+AMST_TRY amst_status amst_mesh_get_marker_list(const amst_mesh *mesh, int32_t entity, int32_t *out,
                                                int64_t capacity, int64_t *needed);
 /* name: UTF-8 without control characters and double quotes, ended by 0, copied; NULL or "" takes the name
  * away. The revision stays. Errors: ARGUMENT (entity, marker 0, name). */
-AMST_API amst_status amst_mesh_set_marker_name(amst_mesh *mesh, int32_t entity, int32_t marker,
+AMST_TRY amst_status amst_mesh_set_marker_name(amst_mesh *mesh, int32_t entity, int32_t marker,
                                                const char *name);
 /* The name with the 0 that ends it, which `needed` counts, too; "" if the marker has none.
  * Errors: ARGUMENT (entity). */
-AMST_API amst_status amst_mesh_get_marker_name(const amst_mesh *mesh, int32_t entity, int32_t marker,
+AMST_TRY amst_status amst_mesh_get_marker_name(const amst_mesh *mesh, int32_t entity, int32_t marker,
                                                char *out, int64_t capacity, int64_t *needed);
 
 /* ------------------------------------------------------------------- fields */
@@ -563,7 +575,7 @@ AMST_API amst_status amst_mesh_get_marker_name(const amst_mesh *mesh, int32_t en
  * No rule leaves the range of the values it takes from, but for LINEAR as above, and for CONSERVE and AVERAGE
  * on curved faces and where the area changes. amst_mesh_set_points leaves all
  * fields as they are. Names are UTF-8. The library reads "size" (vertices, 1 component):
- * the wanted edge length, above 0; and "cross" (faces, 3 components, also for dim 2): a
+ * the wanted edge length, 1e-30 to 1e30; and "cross" (faces, 3 components, also for dim 2): a
  * direction that edges shall have there, or one at right angles to it; 0 0 0 for none.
  * amst_adapt and amst_reduce_singularities write to "size error" (faces, 1 component), if there is such a
  * field, log2(area / wanted area) of each face of the patches or of the whole mesh, as
@@ -572,14 +584,14 @@ AMST_API amst_status amst_mesh_get_marker_name(const amst_mesh *mesh, int32_t en
 /* A new field, or a new one in the place of the old; n is the number of vertices, edges
  * or faces. The revision stays. Errors: ARGUMENT (entity, name empty, carry, carry not
  * for this entity, "size" or "cross" on another entity), RANGE (components < 1 or not those
- * of "size" or "cross", n, "size" not above 0), NOT_FINITE. */
-AMST_API amst_status amst_mesh_set_field(amst_mesh *mesh, int32_t entity, const char *name,
+ * of "size" or "cross", n, "size" not from 1e-30 to 1e30), NOT_FINITE. */
+AMST_TRY amst_status amst_mesh_set_field(amst_mesh *mesh, int32_t entity, const char *name,
                                          int32_t components, int32_t carry, const double *values, int64_t n);
 /* [count][components]. Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
-AMST_API amst_status amst_mesh_get_field(const amst_mesh *mesh, int32_t entity, const char *name, double *out,
+AMST_TRY amst_status amst_mesh_get_field(const amst_mesh *mesh, int32_t entity, const char *name, double *out,
                                          int64_t capacity, int64_t *needed);
 /* Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
-AMST_API amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, const char *name);
+AMST_TRY amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, const char *name);
 
 /* What the faces of two meshes of one domain share, for codes that carry their fields themselves, as between
  * amst_mesh_clone of a mesh and that mesh after an operation: rows of a face of `before`, a face of `after`
@@ -588,7 +600,7 @@ AMST_API amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, con
  * Elsewhere faces are seen along the normal of the face of `after`, and faces that look the other way share
  * nothing. All three arrays hold `capacity`; NULL for all tells the number of rows only, and costs as much: n
  * log n for n faces. Errors: ARGUMENT (one mesh has dim 2, the other 3). */
-AMST_API amst_status amst_mesh_get_overlap(const amst_mesh *before, const amst_mesh *after,
+AMST_TRY amst_status amst_mesh_get_overlap(const amst_mesh *before, const amst_mesh *after,
                                            amst_id *before_faces, amst_id *after_faces, double *areas,
                                            int64_t capacity, int64_t *needed);
 
@@ -597,24 +609,25 @@ AMST_API amst_status amst_mesh_get_overlap(const amst_mesh *before, const amst_m
  * FEATURE and on borders of markers; elsewhere along the principal directions, the more the
  * curvatures in them differ; and between that as smooth as can be. Of the options
  * SMOOTH_STEPS counts, the sweeps on each level of the hierarchy of faces. Takes time in
- * proportion to the faces, on one thread. The revision stays. Errors: STATE. */
-AMST_API amst_status amst_mesh_compute_cross_field(amst_mesh *mesh, const amst_options *options);
+ * proportion to the faces, on one thread. The revision stays. Errors: STATE, CANCELLED. */
+AMST_TRY amst_status amst_mesh_compute_cross_field(amst_mesh *mesh, const amst_options *options);
 /* Mean angle between the sides of faces and the nearest of the four directions of "cross"
  * and at right angles to it, 0..45 degrees: 0 where edges follow the field, 22.5 where they
  * do not know of it. Sides and directions without length do not count; 0 if none does.
  * Errors: NOT_FOUND (no field "cross"). */
-AMST_API amst_status amst_mesh_get_alignment(const amst_mesh *mesh, double *mean_degrees);
+AMST_TRY amst_status amst_mesh_get_alignment(const amst_mesh *mesh, double *mean_degrees);
 
 /* ------------------------------------------------------------------ surface */
 
 /* The surface that a curved mesh keeps to: operations project the vertices to it that they
  * move or add. points [n_points][dim], triangles [n_triangles][3] with ids of those points
- * from the index base; at least one triangle, and any without area do no harm. NULL points
+ * from the index base; at least one triangle has an area, and others without do no harm. NULL points
  * takes the mesh as it is now, two triangles a face, whatever the other arguments are.
  * Until this is called it is the mesh as it is when the first operation on it begins. The
  * surface is part of the mesh as its fields are, but not of the checksum; the revision
- * stays. Errors: RANGE (counts, a triangle with a corner that is no point), NOT_FINITE. */
-AMST_API amst_status amst_mesh_set_surface(amst_mesh *mesh, const double *points, int64_t n_points,
+ * stays. Errors: RANGE (counts, a triangle with a corner that is no point, coordinate, no area),
+ * NOT_FINITE. */
+AMST_TRY amst_status amst_mesh_set_surface(amst_mesh *mesh, const double *points, int64_t n_points,
                                            const int32_t *triangles, int64_t n_triangles);
 
 /* ----------------------------------------------------------------- boundary */
@@ -627,19 +640,19 @@ AMST_API amst_status amst_mesh_set_surface(amst_mesh *mesh, const double *points
  * non-zero, if a result is not finite or farther off than AMST_OPT_TOLERANCE edges, and if a
  * new vertex turned a face over there. fn and user must live as long as the mesh and its copies,
  * or until they are replaced. Not kept in files. Errors: STATE. */
-AMST_API amst_status amst_mesh_set_projection(amst_mesh *mesh, amst_projection_fn fn, void *user);
+AMST_TRY amst_status amst_mesh_set_projection(amst_mesh *mesh, amst_projection_fn fn, void *user);
 
 /* ------------------------------------------------------------------ undoing */
 
 /* Remember the mesh: points, connectivity, flags, markers, fields. Savepoints nest. revision
  * names the savepoint; of several with one name the latest is meant. Memory is taken
  * only when the mesh changes. */
-AMST_API amst_status amst_mesh_mark(amst_mesh *mesh, int64_t *revision);
+AMST_TRY amst_status amst_mesh_mark(amst_mesh *mesh, int64_t *revision);
 /* Back to a savepoint, which stays; later ones are forgotten. Patch sets of its
  * revision are current again. Errors: NOT_FOUND. */
-AMST_API amst_status amst_mesh_rollback(amst_mesh *mesh, int64_t revision);
+AMST_TRY amst_status amst_mesh_rollback(amst_mesh *mesh, int64_t revision);
 /* Give up one savepoint; the mesh stays as it is. Errors: NOT_FOUND. */
-AMST_API amst_status amst_mesh_forget(amst_mesh *mesh, int64_t revision);
+AMST_TRY amst_status amst_mesh_forget(amst_mesh *mesh, int64_t revision);
 
 /* ------------------------------------------------------------------ patches */
 /* A patch set belongs to one revision of one mesh; operations given the set move
@@ -653,23 +666,23 @@ AMST_API amst_status amst_mesh_forget(amst_mesh *mesh, int64_t revision);
 
 /* The options that count are REPAIR_PATCHES, PATCH_FACES, MIN_CONVEXITY and SEED; they
  * are copied. */
-AMST_API amst_status amst_patches_create(const amst_mesh *mesh, const amst_options *options,
+AMST_TRY amst_status amst_patches_create(const amst_mesh *mesh, const amst_options *options,
                                          amst_patches **out);
 AMST_API void amst_patches_destroy(amst_patches *patches);
 /* n faces in any order; repetitions do not count. With AMST_OPT_REPAIR_PATCHES 0 a
  * face that is taken or FIXED is AMST_ERR_PATCH. */
-AMST_API amst_status amst_patches_add_faces(amst_patches *patches, const amst_id *faces, int64_t n,
+AMST_TRY amst_status amst_patches_add_faces(amst_patches *patches, const amst_id *faces, int64_t n,
                                             amst_id *patch);
 /* The faces within `rings` face layers of a vertex; 1: the faces at it. */
-AMST_API amst_status amst_patches_add_rings(amst_patches *patches, amst_id vertex, int32_t rings,
+AMST_TRY amst_status amst_patches_add_rings(amst_patches *patches, amst_id vertex, int32_t rings,
                                             amst_id *patch);
 /* The connected faces around the one nearest to center, centroid within radius >= 0.
  * A mesh of dim 2 lies in the plane z = 0. Errors: ARGUMENT (radius < 0). */
-AMST_API amst_status amst_patches_add_ball(amst_patches *patches, const double center[3], double radius,
+AMST_TRY amst_status amst_patches_add_ball(amst_patches *patches, const double center[3], double radius,
                                            amst_id *patch);
 /* The faces with their centroid in the box, the largest connected part of them.
  * Errors: ARGUMENT (low above high). */
-AMST_API amst_status amst_patches_add_box(amst_patches *patches, const double low[3], const double high[3],
+AMST_TRY amst_status amst_patches_add_box(amst_patches *patches, const double low[3], const double high[3],
                                           amst_id *patch);
 /* Automatic patches of about AMST_OPT_PATCH_FACES faces over the faces not yet taken,
  * by a method of amst_decomposition. added, the number of new patches, may be NULL; it
@@ -683,43 +696,43 @@ AMST_API amst_status amst_patches_add_box(amst_patches *patches, const double lo
  * that AMST_OPT_SEED chooses and each later one as far as can be from those before.
  * SINGULARITIES: singular vertices share a patch where one can hold them; each away from
  * boundary, flags, markers and taken faces is in a patch, faces far from all are in none.
- * Errors: ARGUMENT (method). */
-AMST_API amst_status amst_patches_decompose(amst_patches *patches, int32_t method, int64_t *added);
+ * Errors: ARGUMENT (method), CANCELLED. */
+AMST_TRY amst_status amst_patches_decompose(amst_patches *patches, int32_t method, int64_t *added);
 /* 3 to 6 boundary vertices in boundary order, counter-clockwise; n = 0 lets the
  * library choose. Whether they are that is told by amst_patches_check. Errors: RANGE
  * (vertex, n). */
-AMST_API amst_status amst_patches_set_corners(amst_patches *patches, amst_id patch, const amst_id *vertices,
+AMST_TRY amst_status amst_patches_set_corners(amst_patches *patches, amst_id patch, const amst_id *vertices,
                                               int64_t n);
 /* alpha of one patch, or of all that are in the set now (AMST_ALL); 0 means: that of
  * the operation. Errors: ARGUMENT (alpha < 0), NOT_FINITE. */
-AMST_API amst_status amst_patches_set_alpha(amst_patches *patches, amst_id patch, double alpha);
+AMST_TRY amst_status amst_patches_set_alpha(amst_patches *patches, amst_id patch, double alpha);
 
-AMST_API amst_status amst_patches_get_count(const amst_patches *patches, int64_t *count);
+AMST_TRY amst_status amst_patches_get_count(const amst_patches *patches, int64_t *count);
 /* ascending */
-AMST_API amst_status amst_patches_get_faces(const amst_patches *patches, amst_id patch, amst_id *out,
+AMST_TRY amst_status amst_patches_get_faces(const amst_patches *patches, amst_id patch, amst_id *out,
                                             int64_t capacity, int64_t *needed);
 /* Boundary vertices, counter-clockwise, from the first corner. Errors: PATCH (not a
  * disk). */
-AMST_API amst_status amst_patches_get_boundary(const amst_patches *patches, amst_id patch, amst_id *out,
+AMST_TRY amst_status amst_patches_get_boundary(const amst_patches *patches, amst_id patch, amst_id *out,
                                                int64_t capacity, int64_t *needed);
 /* The corners that were set; otherwise the boundary vertices where one face fits.
  * Errors: PATCH (not a disk). */
-AMST_API amst_status amst_patches_get_corners(const amst_patches *patches, amst_id patch, amst_id *out,
+AMST_TRY amst_status amst_patches_get_corners(const amst_patches *patches, amst_id patch, amst_id *out,
                                               int64_t capacity, int64_t *needed);
 /* defects: amst_defect bits, 0 if usable. convexity: area over that of the convex hull,
  * 0..1, 1 convex, 0 if the patch is no disk; may be NULL. */
-AMST_API amst_status amst_patches_check(const amst_patches *patches, amst_id patch, int32_t *defects,
+AMST_TRY amst_status amst_patches_check(const amst_patches *patches, amst_id patch, int32_t *defects,
                                         double *convexity);
 
 /* Picture (.svg) of the mesh with the patch outlines and the singularities, faces in the colours of
  * amst_mesh_write; a failure leaves no half-written file. Errors: IO, UNSUPPORTED (extension). */
-AMST_API amst_status amst_patches_write(const amst_patches *patches, const char *path);
+AMST_TRY amst_status amst_patches_write(const amst_patches *patches, const char *path);
 /* What amst_adapt would deliver for that patch and alpha, without doing it: the
  * exact number of faces and of singularities. A very small alpha gives the fewest faces that
  * the boundary allows. Takes as long as doing it, since the best filling is told by its
  * sizes and shapes. Either output may be NULL.
- * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, PATCH, NO_FILLING, GEOMETRY. */
-AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, double alpha,
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, RANGE (too many faces), PATCH, NO_FILLING, GEOMETRY. */
+AMST_TRY amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, double alpha,
                                           const amst_options *options, int64_t *faces,
                                           int64_t *singularities);
 
@@ -826,13 +839,14 @@ AMST_API amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            features lose and get vertices only where they are straight. With STRATEGY 0 there are chords
  *            only where a curved mesh that is nearly regular and has no field "size" begins with them.
  * Where a curved mesh cannot have the faces wanted, no more singular vertices are made than there were.
- * Errors: ARGUMENT (alpha <= 0), NOT_FINITE. */
-AMST_API amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, RANGE (a patch of more than 100,000 faces, a mesh of more than
+ * ids can name). */
+AMST_TRY amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);
 /* Replace each patch by its minimum singularity template, boundary kept. patches
  * NULL: the whole mesh, as amst_adapt does with alpha 1, but for the exact number of
  * faces, which stays within a few percent. */
-AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches,
+AMST_TRY amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *patches,
                                                const amst_options *options, amst_report **report);
 /* Move interior vertices of the patches, or of the mesh if patches is NULL; flagged
  * ones stay, and so does the revision. On a curved mesh a vertex with two edges that are
@@ -842,10 +856,10 @@ AMST_API amst_status amst_reduce_singularities(amst_mesh *mesh, amst_patches *pa
  * vertices stay. The same holds for whole meshes in amst_adapt and amst_reduce_singularities. In a plane
  * faces keep the sizes that there are around, or come to those of the field "size", for which scaled
  * Jacobians may fall, but none below a half; on a surface without that field sizes become even. */
-AMST_API amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst_options *options,
+AMST_TRY amst_status amst_smooth(amst_mesh *mesh, const amst_patches *patches, const amst_options *options,
                                  amst_report **report);
 /* Remove doublets and split valences above 5. The revision rises if there were any. */
-AMST_API amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report **report);
+AMST_TRY amst_status amst_clean(amst_mesh *mesh, const amst_options *options, amst_report **report);
 
 /* ------------------------------------------------------------------- chords */
 /* A chord is the row of faces met when each is left through the edge opposite to the one
@@ -856,15 +870,15 @@ AMST_API amst_status amst_clean(amst_mesh *mesh, const amst_options *options, am
 /* Edges crossed by the chord through edge, in order: from that edge round if it is closed,
  * else from its end with the smaller edge. closed is 1 or 0; crossings counts the faces it
  * passes twice. Either may be NULL. Errors: RANGE (edge). */
-AMST_API amst_status amst_mesh_get_chord(const amst_mesh *mesh, amst_id edge, int32_t *closed,
+AMST_TRY amst_status amst_mesh_get_chord(const amst_mesh *mesh, amst_id edge, int32_t *closed,
                                          int64_t *crossings, amst_id *out, int64_t capacity, int64_t *needed);
 /* [n_edges] number of the chord of each edge; n_chords may be NULL. As an edge field
  * "chord" they are drawn in colour by amst_mesh_write. */
-AMST_API amst_status amst_mesh_get_chord_ids(const amst_mesh *mesh, int64_t *n_chords, amst_id *out,
+AMST_TRY amst_status amst_mesh_get_chord_ids(const amst_mesh *mesh, int64_t *n_chords, amst_id *out,
                                              int64_t capacity, int64_t *needed);
 /* [n_chords] an amst_chord_property of each chord. Of the options AMST_OPT_EDIT_BOUNDARY
  * counts. Errors: ARGUMENT (property). */
-AMST_API amst_status amst_mesh_get_chords(const amst_mesh *mesh, int32_t property,
+AMST_TRY amst_status amst_mesh_get_chords(const amst_mesh *mesh, int32_t property,
                                           const amst_options *options, int64_t *out, int64_t capacity,
                                           int64_t *needed);
 
@@ -879,33 +893,33 @@ AMST_API amst_status amst_mesh_get_chords(const amst_mesh *mesh, int32_t propert
  * AMST_OPT_EDIT_BOUNDARY allows that, and the curve turns by less than 30 degrees where it
  * loses the vertex. Errors: RANGE (edge), CHORD (amst_last_error has the reason and its
  * place; all reasons: AMST_CHORD_REFUSAL), GEOMETRY. */
-AMST_API amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_options *options,
+AMST_TRY amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_options *options,
                                          amst_report **report);
 /* Cut the chord through edge into n + 1 parallel ones, n >= 1; a face where it crosses
  * itself into (n + 1)^2. No vertex becomes singular. The vertices that are there stay; pieces of
  * edges and faces have their flags and markers, and their values in fields of AMST_CARRY_INHERIT. An open
  * chord puts vertices on the boundary and is only split if AMST_OPT_EDIT_BOUNDARY allows that.
  * Errors: RANGE (edge, n, size of the mesh), CHORD, GEOMETRY. */
-AMST_API amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, int32_t n, const amst_options *options,
+AMST_TRY amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, int32_t n, const amst_options *options,
                                       amst_report **report);
-/* Lay n >= 1 closed chords around the core of each patch: rings between its boundary,
+/* Lay n closed chords, 1 to 1000, around the core of each patch: rings between its boundary,
  * which stays, and its faces, which keep their connectivity. A patch needs 3 to 6 corners
  * (boundary vertices with one of its faces), or none, and two of its faces at all other
  * boundary vertices. The corners of the core become singular vertices of valence 3; where
  * the patch had no corner none is added: so their number does not depend on n. Corners
  * that were set must be these. Patches that are not so, or with defects, are left and make
  * the result AMST_PARTIAL. Errors: NULL (patches), RANGE (n). */
-AMST_API amst_status amst_insert_chords(amst_mesh *mesh, amst_patches *patches, int32_t n,
+AMST_TRY amst_status amst_insert_chords(amst_mesh *mesh, amst_patches *patches, int32_t n,
                                         const amst_options *options, amst_report **report);
 
 /* ------------------------------------------------------------------ quality */
 
 /* [n_faces] an amst_metric of each face: areas and Jacobians in squared units of the
  * coordinates, angles in degrees, the others without a unit. Errors: ARGUMENT (metric). */
-AMST_API amst_status amst_mesh_get_quality(const amst_mesh *mesh, int32_t metric, double *out,
+AMST_TRY amst_status amst_mesh_get_quality(const amst_mesh *mesh, int32_t metric, double *out,
                                            int64_t capacity, int64_t *needed);
 /* Errors: ARGUMENT (metric). */
-AMST_API amst_status amst_mesh_get_summary(const amst_mesh *mesh, int32_t metric, amst_summary *out);
+AMST_TRY amst_status amst_mesh_get_summary(const amst_mesh *mesh, int32_t metric, amst_summary *out);
 
 /* ------------------------------------------------------------------- report */
 /* Immutable; outlives mesh and patches. patch is an id or AMST_ALL; an operation that
@@ -914,19 +928,19 @@ AMST_API amst_status amst_mesh_get_summary(const amst_mesh *mesh, int32_t metric
  * smallest. Errors: RANGE (patch), NOT_FOUND (key of the other type or unknown). */
 
 AMST_API void amst_report_destroy(amst_report *report);
-AMST_API amst_status amst_report_get_int(const amst_report *report, amst_id patch, int32_t key,
+AMST_TRY amst_status amst_report_get_int(const amst_report *report, amst_id patch, int32_t key,
                                          int64_t *value);
-AMST_API amst_status amst_report_get_real(const amst_report *report, amst_id patch, int32_t key,
+AMST_TRY amst_status amst_report_get_real(const amst_report *report, amst_id patch, int32_t key,
                                           double *value);
 /* Interior vertices of one valence before (after = 0) or after the operation; those
  * of AMST_ALL are the ones of the whole mesh. */
-AMST_API amst_status amst_report_get_valence(const amst_report *report, amst_id patch, int32_t after,
+AMST_TRY amst_status amst_report_get_valence(const amst_report *report, amst_id patch, int32_t after,
                                              int32_t valence, int64_t *count);
 /* For each vertex, edge or face of the mesh after the operation the one it was before, "none" if
  * there is none. Vertices are the same if they were kept, though they may have moved; edges and faces if
  * their vertices are the same. So nothing is named twice: pieces of an edge or a face that was cut are new;
  * amst_mesh_get_overlap tells what they are part of. Errors: ARGUMENT (entity). */
-AMST_API amst_status amst_report_get_origin(const amst_report *report, int32_t entity, amst_id *out,
+AMST_TRY amst_status amst_report_get_origin(const amst_report *report, int32_t entity, amst_id *out,
                                             int64_t capacity, int64_t *needed);
 
 #ifdef __cplusplus

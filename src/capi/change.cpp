@@ -15,14 +15,6 @@
 namespace alphamst::capi {
 namespace {
 
-void tell(Context &context, double fraction, const char *stage) {
-    context.fraction.store(std::clamp(fraction, 0.0, 1.0));
-    const bool stop =
-        context.progress != nullptr && context.progress(context.progress_user, fraction, stage) != 0;
-    if (stop || context.cancel.load())
-        throw Failure(Fault::cancelled, "the operation was cancelled");
-}
-
 Report::Row row_of(const Outcome &outcome, bool exact) {
     Report::Row row;
     row.status = outcome.fault ? status_of(*outcome.fault)
@@ -115,26 +107,30 @@ double rms(const std::vector<Outcome> &outcomes, double Outcome::*error, std::in
     return std::sqrt(sum / weight);
 }
 
-} // namespace
-
-Change::Busy::Busy(Context &context) : context_(context) {
-    if (context.busy.exchange(true, std::memory_order_acq_rel))
-        throw Failure(Fault::state, "an operation of this context is under way; a callback may only ask");
+// Whatever went wrong before, nobody gets a mesh with such a vertex.
+void require_finite(const mesh::QuadMesh &mesh) {
+    for (int v = 0; v < mesh.n_vertices(); ++v)
+        for (const double coordinate : mesh.point(v))
+            if (!std::isfinite(coordinate))
+                throw Failure(
+                    Fault::internal,
+                    "vertex {} would have got a coordinate that is not a finite number, which is a bug; "
+                    "the mesh is as it was",
+                    Entity::vertex, {v});
 }
+
+} // namespace
 
 Change::Change(const char *name, const amst_mesh &mesh, const amst_patches *patches)
     : name_(name), mesh_(mesh.impl), patches_(patches == nullptr ? nullptr : patches->impl),
-      busy_(*mesh_->context) {
+      under_way_(mesh_->context) {
     if (patches_ != nullptr) {
         if (patches_->mesh != mesh_)
             throw Failure(Fault::argument, "the patches are of another mesh");
         patches_->require_current();
         regions_ = patches_->regions;
     }
-    progress_ = [context = mesh_->context.get()](double fraction, const char *stage) {
-        tell(*context, fraction, stage);
-    };
-    progress_(0, "start");
+    progress()(0, "start");
     copy_ = std::make_shared<mesh::QuadMesh>(*mesh_->current);
     copy_->reset_origins();
     copy_->begun = mesh_->current;
@@ -163,6 +159,7 @@ reference::Project Change::projection() const {
         std::vector<double> given, found(dim * points.size(), std::numeric_limits<double>::quiet_NaN());
         for (const Eigen::Vector3d &p : points)
             given.insert(given.end(), p.data(), p.data() + dim);
+        const Stop none(nullptr);
         if (const std::int32_t status = fn(user, static_cast<std::int64_t>(points.size()), markers.data(),
                                            given.data(), found.data());
             status != 0)
@@ -276,7 +273,7 @@ amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
                            const std::vector<std::int32_t> &in_use, amst_report **report) {
     if (const reference::Project project = projection(); project && options_.edit_boundary)
         reference::project_new_vertices(*copy_, project, settings_of(options_, 1).tolerance);
-    transfer::carry(*mesh_->current, *copy_, progress_);
+    transfer::carry(*mesh_->current, *copy_, progress());
     write_size_errors(outcomes);
     auto made = std::make_unique<amst_report>(amst_report{report_of(outcomes, exact)});
     if (report != nullptr)
@@ -287,7 +284,8 @@ amst_status Change::finish(const std::vector<Outcome> &outcomes, bool exact,
     if (!unused.empty())
         made->impl.all.unused_option = unused.front();
     log(outcomes, unused, made->impl);
-    progress_(1, "commit"); // last, so that a log function can cancel, too
+    require_finite(*copy_);
+    progress()(1, "commit"); // last, so that a log function can cancel, too
     const amst_status status = made->impl.all.status;
     if (status == AMST_PARTIAL)
         record_first_remark(outcomes);

@@ -9,6 +9,7 @@
 #include "adapt/adapt.h"
 #include "capi/handles.h"
 #include "capi/options.h"
+#include "capi/under_way.h"
 #include "reference/projection.h"
 
 namespace alphamst::capi {
@@ -26,7 +27,7 @@ public:
     Settings settings(const Options &options);
     // The mesh keeps to a surface.
     bool curved() const { return copy_->dim() == 3 && copy_->surface != nullptr; }
-    const Progress &progress() const { return progress_; }
+    const Progress &progress() const { return under_way_.progress(); }
 
     // One outcome per patch, or one for the whole mesh; exact: a patch that has not the
     // wanted faces makes the result partial. in_use: options that had an effect, see unused_options.
@@ -35,18 +36,6 @@ public:
                        const std::vector<std::int32_t> &in_use, amst_report **report);
 
 private:
-    // Marks the context as busy for as long as it lives.
-    class Busy {
-    public:
-        explicit Busy(Context &context);
-        ~Busy() { context_.busy.store(false, std::memory_order_release); }
-        Busy(const Busy &) = delete;
-        Busy &operator=(const Busy &) = delete;
-
-    private:
-        Context &context_;
-    };
-
     Report report_of(const std::vector<Outcome> &outcomes, bool exact) const;
     void write_size_errors(const std::vector<Outcome> &outcomes);
     void describe_meshes(Report &report) const;
@@ -61,12 +50,11 @@ private:
     const char *name_;
     std::shared_ptr<Mesh> mesh_;
     std::shared_ptr<Patches> patches_;
-    Busy busy_;
+    UnderWay under_way_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::shared_ptr<mesh::QuadMesh> copy_;
     std::vector<Patch> regions_;
     Options options_;
-    Progress progress_;
 };
 
 } // namespace alphamst::capi

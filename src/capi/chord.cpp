@@ -38,9 +38,13 @@ std::int64_t value_of(const chord::Row &row, std::int32_t property, int base) {
     }
 }
 
+// Faces get so many times longer than wide; beyond that no smoothing gives them a shape, in a long time.
+constexpr std::int32_t most_copies = 1000;
+
 void require_count(std::int32_t n) {
-    if (n < 1)
-        throw Failure(Fault::range, "n must be at least 1, it is " + std::to_string(n));
+    if (n < 1 || n > most_copies)
+        throw Failure(Fault::range, "n must be from 1 to " + std::to_string(most_copies) + ", it is " +
+                                        std::to_string(n) + "; to refine more, call again");
 }
 
 int edge_in(const amst_mesh *mesh, amst_id edge) {
@@ -110,8 +114,9 @@ amst_status amst_collapse_chord(amst_mesh *mesh, amst_id edge, const amst_option
         const Options chosen = options_of(options);
         Change change("collapse_chord", *mesh, nullptr);
         const Settings settings = change.settings(chosen);
-        return change.finish({chords::collapse_chord(change.mesh(), index, rules_of(chosen), settings)}, true,
-                             {AMST_OPT_EDIT_BOUNDARY, AMST_OPT_SIZE_WEIGHT}, report);
+        return change.finish(
+            {chords::collapse_chord(change.mesh(), index, rules_of(chosen), settings, change.progress())},
+            true, {AMST_OPT_EDIT_BOUNDARY, AMST_OPT_SIZE_WEIGHT}, report);
     });
 }
 
@@ -123,9 +128,9 @@ amst_status amst_split_chord(amst_mesh *mesh, amst_id edge, std::int32_t n, cons
         const Options chosen = options_of(options);
         Change change("split_chord", *mesh, nullptr);
         const Settings settings = change.settings(chosen);
-        return change.finish(
-            {chords::split_chord(change.mesh(), index, n, max_faces, rules_of(chosen), settings)}, true,
-            {AMST_OPT_EDIT_BOUNDARY, AMST_OPT_SIZE_WEIGHT}, report);
+        return change.finish({chords::split_chord(change.mesh(), index, n, max_faces, rules_of(chosen),
+                                                  settings, change.progress())},
+                             true, {AMST_OPT_EDIT_BOUNDARY, AMST_OPT_SIZE_WEIGHT}, report);
     });
 }
 

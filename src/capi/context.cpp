@@ -2,6 +2,7 @@
 
 #include "capi/guard.h"
 #include "capi/handles.h"
+#include "stop.h"
 
 namespace alphamst::capi {
 
@@ -11,6 +12,7 @@ void Context::require_idle() const {
 }
 
 void Context::say(std::int32_t level, const std::string &message) const {
+    const Stop none(nullptr); // what the caller does there is no part of the operation, see UnderWay
     if (log != nullptr && level <= log_level)
         log(log_user, level, message.c_str());
 }

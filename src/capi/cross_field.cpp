@@ -7,6 +7,7 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/options.h"
+#include "capi/under_way.h"
 
 using namespace alphamst;
 using namespace alphamst::capi;
@@ -14,14 +15,16 @@ using namespace alphamst::capi;
 amst_status amst_mesh_compute_cross_field(amst_mesh *mesh, const amst_options *options) {
     return guarded(index_base(mesh), [&] {
         Mesh &target = *required(mesh, "mesh").impl;
-        target.context->require_idle();
+        const UnderWay under_way(target.context);
+        const Pace pace(under_way.progress(), "cross field");
         const int sweeps = options_of(options).smooth_steps;
         auto field = std::make_shared<mesh::Field>();
         field->entity = Entity::face;
         field->name = "cross";
         field->components = 3;
         field->carry = mesh::Carry::inherit;
-        field->values = mesh::cross_field(*target.current, sweeps);
+        field->values = mesh::cross_field(*target.current, sweeps, pace);
+        pace.reach(1);
         target.writable().fields.set(std::move(field));
     });
 }

@@ -7,6 +7,7 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/ids.h"
+#include "mesh/sides.h"
 
 namespace alphamst::capi {
 namespace {
@@ -73,6 +74,15 @@ void require_size(const mesh::Field &field) {
     if (found != field.values.end())
         throw Failure(Fault::range, "vertex {} has a \"size\" that is not above 0", Entity::vertex,
                       {found - field.values.begin()});
+    const auto far = std::ranges::find_if(field.values, [](double value) {
+        return value < mesh::least_extent || value > mesh::largest_coordinate;
+    });
+    if (far != field.values.end())
+        throw Failure(
+            Fault::range,
+            "vertex {} has a \"size\" that is not between 1e-30 and 1e30; no edge of a mesh is so short "
+            "or so long",
+            Entity::vertex, {far - field.values.begin()});
 }
 
 void require_cross(const mesh::Field &field) {

@@ -14,7 +14,7 @@ constexpr const char *version_string =
 #undef VERSION_STRING
 #undef QUOTED
 
-constexpr const char *features[] = {"threads", "metis"};
+constexpr const char *features[] = {"threads"};
 
 } // namespace
 

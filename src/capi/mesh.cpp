@@ -10,6 +10,8 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/ids.h"
+#include "index.h"
+#include "mesh/sides.h"
 
 namespace alphamst::capi {
 namespace {
@@ -122,13 +124,13 @@ amst_status amst_mesh_set_points(amst_mesh *mesh, const double *points, std::int
             throw Failure(Fault::range, "n is " + std::to_string(n) + ", the mesh has " +
                                             std::to_string(vertices) + " vertices");
         const int dim = target.current->dim();
-        for (std::int64_t i = 0; i < n * dim; ++i)
-            if (!std::isfinite(points[i]))
-                throw Failure(Fault::not_finite, "vertex {} has a coordinate that is not a finite number",
-                              Entity::vertex, {i / dim});
+        std::vector<double> places(3 * at(n), 0);
+        for (std::size_t v = 0; v < at(n); ++v)
+            std::copy_n(points + v * at(dim), dim, places.data() + 3 * v);
+        mesh::test_points(places);
         mesh::QuadMesh &changed = target.writable();
-        for (int v = 0; v < static_cast<int>(n); ++v, points += dim)
-            changed.set_point(v, OpenMesh::Vec3d(points[0], points[1], dim == 3 ? points[2] : 0.0));
+        for (std::size_t v = 0; v < at(n); ++v)
+            changed.set_point(static_cast<int>(v), OpenMesh::Vec3d(places.data() + 3 * v));
     });
 }
 

@@ -84,6 +84,10 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
         require_real(alpha, 0, true, "alpha");
         const Options chosen = options_of(options);
         Change change("adapt", *mesh, patches);
+        if (patches == nullptr)
+            require_wanted(change.mesh().n_faces(), alpha);
+        else
+            require_wanted(change.mesh().n_faces(), change.regions(), alpha);
         const Settings settings = change.settings(chosen);
         std::vector<Outcome> outcomes;
         const bool by_chords = patches == nullptr && chosen.by_chords;

@@ -6,6 +6,7 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/ids.h"
+#include "capi/limits.h"
 #include "patch/window.h"
 
 namespace alphamst::capi {
@@ -169,6 +170,7 @@ amst_status amst_patches_predict(const amst_patches *patches, amst_id patch, dou
     return guarded(index_base(patches), [&] {
         const Asked asked = ask(patches, patch);
         require_real(alpha, 0, true, "alpha");
+        require_wanted_in_patch(static_cast<std::size_t>(asked.id), asked.region.faces.size(), alpha);
         const Settings settings = settings_of(options_of(options), asked.set.mesh->context->threads);
         const Prediction prediction = predict(asked, alpha, settings);
         if (faces != nullptr)

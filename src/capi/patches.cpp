@@ -8,6 +8,7 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/ids.h"
+#include "capi/under_way.h"
 #include "patch/patches.h"
 #include "patch/window.h"
 
@@ -164,10 +165,14 @@ amst_status amst_patches_decompose(amst_patches *patches, std::int32_t method, s
         Patches &set = changeable(patches);
         if (method < 0 || method >= static_cast<std::int32_t>(decompositions.size()))
             throw Failure(Fault::argument, "there is no decomposition method " + std::to_string(method));
+        const UnderWay under_way(set.mesh->context);
+        const Pace pace(under_way.progress(), "decompose");
+        pace.reach(0);
         const std::vector<char> others = taken(set);
         const auto decompose = decompositions[static_cast<std::size_t>(method)];
         std::vector<Faces> parts =
-            decompose(*set.mesh->current, set.options.patch_faces, set.options.seed, others);
+            decompose(*set.mesh->current, set.options.patch_faces, set.options.seed, others, pace);
+        pace.reach(1);
         std::erase_if(parts, [](const Faces &part) { return part.empty(); });
         set.regions.reserve(set.regions.size() + parts.size());
         for (Faces &part : parts)

@@ -5,6 +5,7 @@
 
 #include "capi/guard.h"
 #include "capi/handles.h"
+#include "mesh/sides.h"
 #include "reference/surface_of.h"
 
 namespace alphamst::capi {
@@ -44,6 +45,21 @@ std::vector<std::array<int, 3>> triangles_of(const std::int32_t *corners, std::i
     return read;
 }
 
+// Lengths as those of meshes are, and something to keep to.
+void require_places(const surface::Surface &surface) {
+    for (std::size_t i = 0; i < surface.points().size(); ++i)
+        if (surface.points()[i].cwiseAbs().maxCoeff() > mesh::largest_coordinate)
+            throw Failure(
+                Fault::range,
+                "point {} of the surface has a coordinate beyond 1e30; give the surface and the mesh in "
+                "a larger unit of length",
+                Entity::none, {static_cast<std::int64_t>(i)});
+    if (!(surface.area() > mesh::least_extent * mesh::least_extent))
+        throw Failure(Fault::range,
+                      "no triangle of the surface has an area; give at least one whose corners are "
+                      "not on a line");
+}
+
 } // namespace
 } // namespace alphamst::capi
 
@@ -67,6 +83,7 @@ amst_status amst_mesh_set_surface(amst_mesh *mesh, const double *points, std::in
                 points_of(points, n_points, target.current->dim()),
                 triangles_of(triangles, n_triangles, index_base(mesh), n_points));
         }
+        require_places(*made);
         target.writable().surface = std::move(made);
     });
 }

@@ -16,9 +16,10 @@ std::vector<int> vertices_of(const mesh::QuadMesh &mesh, const chord::Chord &cho
     return vertices;
 }
 
-void smooth_around(mesh::QuadMesh &mesh, const std::vector<int> &faces, const Settings &settings) {
+void smooth_around(mesh::QuadMesh &mesh, const std::vector<int> &faces, const Settings &settings,
+                   const Progress &progress) {
     const std::vector<Patch> region{{faces, {}, 0}};
-    smooth::smooth(mesh, &region, settings, [](double, const char *) {});
+    smooth::smooth(mesh, &region, settings, progress);
 }
 
 [[noreturn]] void refuse(const char *what, const chord::Verdict &verdict) {
@@ -28,7 +29,8 @@ void smooth_around(mesh::QuadMesh &mesh, const std::vector<int> &faces, const Se
 
 } // namespace
 
-Outcome collapse_chord(mesh::QuadMesh &mesh, int edge, const chord::Rules &rules, const Settings &settings) {
+Outcome collapse_chord(mesh::QuadMesh &mesh, int edge, const chord::Rules &rules, const Settings &settings,
+                       const Progress &progress) {
     const chord::Chord chord = chord::trace(mesh, edge);
     const chord::Collapse verdict = chord::Judge(mesh, rules)(chord);
     if (verdict.reasons != 0)
@@ -40,7 +42,7 @@ Outcome collapse_chord(mesh::QuadMesh &mesh, int edge, const chord::Rules &rules
     std::vector<int> survivors;
     remove(mesh, chord, verdict, survivors);
     const std::vector<int> faces = faces_around(mesh, survivors, layers);
-    smooth_around(mesh, faces, settings);
+    smooth_around(mesh, faces, settings, progress);
     if (inverted(mesh, faces) > before)
         throw Failure(Fault::geometry, "without the chord no valid shape was found for the faces around it; "
                                        "it is left as it was");
@@ -48,7 +50,7 @@ Outcome collapse_chord(mesh::QuadMesh &mesh, int edge, const chord::Rules &rules
 }
 
 Outcome split_chord(mesh::QuadMesh &mesh, int edge, int copies, std::int64_t most_faces,
-                    const chord::Rules &rules, const Settings &settings) {
+                    const chord::Rules &rules, const Settings &settings, const Progress &progress) {
     const chord::Chord chord = chord::trace(mesh, edge);
     const chord::Verdict verdict = chord::judge_split(mesh, chord, rules);
     if (verdict.reasons != 0)
@@ -64,7 +66,7 @@ Outcome split_chord(mesh::QuadMesh &mesh, int edge, int copies, std::int64_t mos
     const mesh::QuadMesh::Cut cut = mesh.split_chord(chord.sides, copies);
     const std::vector<int> faces = faces_around(mesh, cut.vertices, layers);
     const std::int64_t before = inverted(mesh, faces);
-    smooth_around(mesh, faces, settings);
+    smooth_around(mesh, faces, settings, progress);
     if (inverted(mesh, faces) > before)
         throw Failure(Fault::geometry, "no valid shape was found for the copies of the chord");
     return account.close(mesh, wanted);

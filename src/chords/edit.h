@@ -10,12 +10,13 @@ namespace alphamst::chords {
 
 // Removes the chord through an edge, then smooths the faces around it. Throws Failure: chord, with the
 // reason and the place, where chord::Judge refuses; geometry, if an element would invert.
-Outcome collapse_chord(mesh::QuadMesh &mesh, int edge, const chord::Rules &rules, const Settings &settings);
+Outcome collapse_chord(mesh::QuadMesh &mesh, int edge, const chord::Rules &rules, const Settings &settings,
+                       const Progress &progress);
 
 // Cuts it into copies + 1 ones, then smooths. Throws Failure: chord; range, if the mesh would get more than
 // most_faces.
 Outcome split_chord(mesh::QuadMesh &mesh, int edge, int copies, std::int64_t most_faces,
-                    const chord::Rules &rules, const Settings &settings);
+                    const chord::Rules &rules, const Settings &settings, const Progress &progress);
 
 // Lays n rings of faces between the boundary of each patch and its faces, which become the core. Patches
 // need 3 to 6 corners (boundary vertices with one face) or none, the rest of the boundary straight (two

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "stop.h"
+
 namespace alphamst::fill {
 namespace {
 
@@ -34,8 +36,10 @@ public:
         const int p = query_.perimeter;
         for (int level = 4; level <= query_.most_singularities && plans_.empty(); level += 2)
             for (int b = 1; ring_faces(b, p) + p / 2 - 1 <= query_.most_faces; ++b) {
+                Stop::point();
                 if (level == 4)
                     for (std::int64_t f = query_.fewest_faces; f <= query_.most_faces; ++f) {
+                        Stop::point();
                         rectangle_core(b, f);
                         triangle_core(b, f);
                     }

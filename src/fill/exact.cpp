@@ -6,6 +6,7 @@
 
 #include "fill/branch.h"
 #include "random.h"
+#include "stop.h"
 
 namespace alphamst::fill {
 namespace {
@@ -193,6 +194,7 @@ bool ExactFiller::Memory::build(const Word &word, const std::vector<int> &ids, B
     if (seed != 0)
         random.shuffle(choices);
     for (const Branch &branch : choices) {
+        Stop::point();
         const Filling before = filling;
         const Budget rest{budget.v3 - branch.used.v3, budget.v5 - branch.used.v5};
         if (build_parts(branch, ids, rest, faces - 1, seed == 0 ? 0 : random(), filling))

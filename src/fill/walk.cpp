@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "random.h"
+#include "stop.h"
 
 namespace alphamst::fill {
 namespace {
@@ -120,6 +121,7 @@ double logarithm(int x) {
 
 void centre(const std::vector<Move> &moves, Place &place) {
     for (int round = 0; round < 12 && !place.far(); ++round) {
+        Stop::point();
         double best = 1e-9;
         const Move *chosen = nullptr;
         int step = 0;

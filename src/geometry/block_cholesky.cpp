@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "index.h"
+#include "stop.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -96,6 +97,7 @@ bool BlockCholesky::factor(double shift) {
     std::vector<Eigen::Matrix2d> row(n, Eigen::Matrix2d::Zero()); // of L D
     std::vector<int> end(factor_first_.begin(), factor_first_.end() - 1), pattern(n), reached(n, -1);
     for (std::size_t k = 0; k < n; ++k) {
+        Stop::point();
         // The columns of row k, each after those that it depends on.
         std::size_t top = n;
         reached[k] = static_cast<int>(k);

@@ -13,6 +13,7 @@
 #include "geometry/star.h"
 #include "index.h"
 #include "quality/corner.h"
+#include "stop.h"
 
 namespace alphamst::geometry {
 namespace {
@@ -86,6 +87,7 @@ private:
         for (const int v : free_)
             axes_[at(v)] = axes_of(v);
         for (std::size_t q = 0; q < problem_.quads.size(); ++q) {
+            Stop::point();
             Rows h = Rows::Zero();
             Row g = Row::Zero();
             add_shape(q, g, h);

@@ -8,6 +8,7 @@
 #include "geometry/block_cholesky.h"
 #include "index.h"
 #include "quality/corner.h"
+#include "stop.h"
 
 namespace alphamst::geometry {
 
@@ -193,6 +194,7 @@ bool Newton::untangle(Points &points, int &iterations, double margin) {
     double worst = worst_determinant(problem_, region_.quads, points);
     barrier.epsilon = 1;
     for (; iterations > 0 && worst <= margin; --iterations) {
+        Stop::point();
         // epsilon follows a determinant that rises; one that it leaves behind will not.
         if (barrier.epsilon < left_behind * -worst)
             break;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/colour.h"
+#include "stop.h"
 
 namespace alphamst::geometry {
 
@@ -23,14 +24,17 @@ bool sweep(int vertices, const std::vector<std::vector<int>> &classes, const Emb
         std::vector<char> moved((members.size() + piece - 1) / piece, 0);
         options.run(moved.size(), [&](std::size_t i) {
             const std::size_t last = std::min(members.size(), (i + 1) * piece);
+            Stop::point();
             for (std::size_t k = i * piece; k < last; ++k)
                 moved[i] |= move(members[k]);
         });
         far |= std::find(moved.begin(), moved.end(), 1) != moved.end();
     }
     if (!options.run)
-        for (int v = 0; v < vertices; ++v)
+        for (int v = 0; v < vertices; ++v) {
+            Stop::point();
             far |= move(v);
+        }
     return far;
 }
 
@@ -64,8 +68,10 @@ void sharpen_worst(const Problem &problem, int rounds, const Quality &quality, c
                     }
         grow(problem.stars, problem.fixed, 1, around, member);
         for (int k = 0; k < sweeps; ++k)
-            for (const int v : around)
+            for (const int v : around) {
+                Stop::point();
                 turn(v, worst * worst);
+            }
     }
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/newton.h"
 #include "geometry/relax.h"
 #include "quality/corner.h"
+#include "stop.h"
 
 namespace alphamst::geometry {
 
@@ -66,8 +67,10 @@ bool sweep_vertices(const Problem &problem, std::span<const int> bad, Points &po
                 return false;
         }
         barrier.epsilon = std::sqrt(1e-12 + 0.04 * worst * worst);
-        for (const int v : region.vertices)
+        for (const int v : region.vertices) {
+            Stop::point();
             relax(barrier, problem.stars.at(v), points, v, no_floor);
+        }
     }
     return worst_determinant(problem, region.quads, points) > positive;
 }

@@ -8,6 +8,7 @@
 
 #include "index.h"
 #include "mesh/feature.h"
+#include "stop.h"
 #include "surface/cross_field.h"
 #include "surface/principal.h"
 
@@ -130,6 +131,7 @@ void add_bends(const QuadMesh &mesh, const Places &places, const Links &links, s
     std::vector<Complex> deviations;
     deviations.reserve(at(mesh.n_faces()));
     for (int f = 0; f < mesh.n_faces(); ++f) {
+        Stop::point();
         std::array<surface::Bend, 4> bends;
         for (std::size_t i = 0; i < 4; ++i) {
             const std::array<int, 2> side = side_of(mesh.corners(f), i);
@@ -149,16 +151,19 @@ void add_bends(const QuadMesh &mesh, const Places &places, const Links &links, s
 
 } // namespace
 
-std::vector<double> cross_field(const QuadMesh &mesh, int sweeps) {
+std::vector<double> cross_field(const QuadMesh &mesh, int sweeps, const Pace &pace) {
     const Places places(mesh);
+    pace.reach(0);
     const Links links = links_of(mesh, places);
     std::vector<Guide> guides;
+    pace.reach(0);
     add_curves(mesh, places, guides);
     if (mesh.dim() == 3)
         add_bends(mesh, places, links, guides);
+    pace.reach(0);
     std::vector<double> crosses;
     crosses.reserve(3 * at(mesh.n_faces()));
-    for (const Vector3d &direction : surface::solve_cross_field(links, guides, sweeps))
+    for (const Vector3d &direction : surface::solve_cross_field(links, guides, sweeps, pace))
         crosses.insert(crosses.end(), {direction.x(), direction.y(), direction.z()});
     return crosses;
 }

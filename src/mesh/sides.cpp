@@ -1,6 +1,7 @@
 #include "mesh/sides.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -24,11 +25,28 @@ void test_lengths(int dim, Coordinates points, Faces faces) {
 }
 
 void test_points(Coordinates points) {
-    for (std::size_t i = 0; i < points.size(); ++i)
+    std::array<double, 3> low, high;
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto vertex = static_cast<std::int64_t>(i / 3);
         if (!std::isfinite(points[i]))
             throw Failure(Fault::not_finite,
                           "vertex {} has a coordinate that is infinite or not a number; give it a finite one",
-                          Entity::vertex, {static_cast<std::int64_t>(i / 3)});
+                          Entity::vertex, {vertex});
+        if (std::abs(points[i]) > largest_coordinate)
+            throw Failure(Fault::range,
+                          "vertex {} has a coordinate beyond 1e30; give the mesh in a larger unit of length",
+                          Entity::vertex, {vertex});
+        low[i % 3] = std::min(low[i % 3], points[i]);
+        high[i % 3] = std::max(high[i % 3], points[i]);
+    }
+    if (points.empty())
+        return;
+    const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    if (extent > 0 && extent < least_extent)
+        throw Failure(Fault::range, "the mesh is smaller than 1e-30 in every direction, so that areas could "
+                                    "become 0; give it in a smaller unit of length");
 }
 
 void test_corners(Faces faces, std::size_t n_vertices, bool triangles) {

@@ -28,9 +28,14 @@ inline std::size_t next_corner(Faces faces, std::size_t c) {
     return c % 4 == 2 && faces[c + 1] < 0 ? c - 2 : c + 1;
 }
 
+// Lengths and coordinates are to be between these, so that their fourth powers, and distances as float, which
+// trees and samples of surfaces keep, neither overflow nor become 0. A light year and the radius of a proton
+// are well inside, in metres.
+constexpr double least_extent = 1e-30, largest_coordinate = 1e30;
+
 // These throw what QuadMesh::build says. Triangles only where they are allowed.
 void test_lengths(int dim, Coordinates points, Faces faces);
-void test_points(Coordinates points);
+void test_points(Coordinates points); // all at one place are allowed
 void test_corners(Faces faces, std::size_t n_vertices, bool triangles);
 
 // Edges in ascending order of their vertices, smaller first.

@@ -4,6 +4,7 @@
 
 #include "index.h"
 #include "mesh/link.h"
+#include "stop.h"
 
 namespace alphamst::mesh {
 
@@ -113,8 +114,10 @@ struct QuadMesh::Pieces {
         for (const int side : sides)
             rows.push_back(cut_edge(side));
         first_rail = next_edge;
-        for (const int face : chord.faces)
+        for (const int face : chord.faces) {
+            Stop::point();
             blocks.push_back(cut_face(face));
+        }
     }
 
 private:

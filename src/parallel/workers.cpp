@@ -6,6 +6,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "stop.h"
+
 namespace alphamst::parallel {
 namespace {
 
@@ -40,10 +42,12 @@ void Workers::run(std::size_t n, const std::function<void(std::size_t, std::size
         return;
     }
     // Each piece is its own task: they differ in size by orders of magnitude.
+    const Stop::Ask *ask = Stop::of_this_thread();
     arena_->threads.execute([&] {
         tbb::parallel_for(
             std::size_t{0}, n,
             [&](std::size_t i) {
+                const Stop stop(ask);
                 work(i, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
             },
             tbb::simple_partitioner());

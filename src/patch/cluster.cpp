@@ -18,7 +18,7 @@ struct Centre {
 // Group of every node: floods from all centres at once, the node nearest to its centre
 // first (Cohen-Steiner, Alliez and Desbrun 2004), so that groups are connected and, where
 // the mesh is flat, nearly Voronoi cells. Measured in faces rather than in lengths.
-std::vector<std::size_t> flood(const FaceDual &dual, const std::vector<Centre> &centres) {
+std::vector<std::size_t> flood(const FaceDual &dual, const std::vector<Centre> &centres, const Pace &pace) {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     using Step = std::tuple<double, std::size_t, std::size_t>; // distance, node, group
     std::priority_queue<Step, std::vector<Step>, std::greater<>> front;
@@ -28,6 +28,7 @@ std::vector<std::size_t> flood(const FaceDual &dual, const std::vector<Centre> &
     while (!front.empty()) {
         const auto [distance, node, g] = front.top();
         front.pop();
+        pace.step();
         if (group[node] != none)
             continue;
         group[node] = g;
@@ -72,7 +73,7 @@ std::vector<Centre> recentre(const FaceDual &dual, const std::vector<std::size_t
 
 } // namespace
 
-std::vector<std::size_t> lloyd(const FaceDual &dual, std::size_t n, std::uint64_t seed) {
+std::vector<std::size_t> lloyd(const FaceDual &dual, std::size_t n, std::uint64_t seed, const Pace &pace) {
     constexpr int rounds = 20;
     std::mt19937_64 random(seed);
     // A part of a Fisher-Yates shuffle; the distributions of the standard library differ
@@ -87,22 +88,25 @@ std::vector<std::size_t> lloyd(const FaceDual &dual, std::size_t n, std::uint64_
     for (std::size_t g = 0; g < n; ++g)
         centres[g] = {seeds[g], dual.centroids[seeds[g]], 1};
 
-    std::vector<std::size_t> group = flood(dual, centres);
+    std::vector<std::size_t> group = flood(dual, centres, pace);
     for (int round = 0; round < rounds; ++round) {
+        pace.reach(static_cast<double>(round) / rounds);
         const std::vector<Centre> moved = recentre(dual, group, n);
         const bool still = std::equal(moved.begin(), moved.end(), centres.begin(),
                                       [](const Centre &a, const Centre &b) { return a.node == b.node; });
         centres = moved;
-        group = flood(dual, centres);
+        group = flood(dual, centres, pace);
         if (still)
             break;
     }
     return group;
 }
 
-Groups clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken) {
-    return decompose(mesh, size, taken,
-                     [&](const FaceDual &dual, std::size_t n) { return lloyd(dual, n, seed); });
+Groups clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken, const Pace &pace) {
+    return decompose(
+        mesh, size, taken,
+        [&](const FaceDual &dual, std::size_t n, const Pace &part) { return lloyd(dual, n, seed, part); },
+        pace);
 }
 
 } // namespace alphamst::patch

@@ -16,7 +16,7 @@ namespace alphamst::patch {
 // The dual graph of an edge-connected set of faces: a node is a face, by its place in
 // `faces`, a link an edge that is no barrier.
 struct FaceDual {
-    FaceDual(const mesh::QuadMesh &mesh, std::vector<int> part);
+    FaceDual(const mesh::QuadMesh &mesh, std::vector<int> part, const Pace &pace = {});
 
     std::size_t size() const { return faces.size(); }
     std::span<const std::int32_t> neighbours(std::size_t node) const {
@@ -34,18 +34,20 @@ struct FaceDual {
 };
 
 // One for every part of the faces that are not taken.
-std::vector<FaceDual> duals(const mesh::QuadMesh &mesh, Taken taken);
+std::vector<FaceDual> duals(const mesh::QuadMesh &mesh, Taken taken, const Pace &pace = {});
 
 using Groups = std::vector<std::vector<int>>;
 
 // A disk of each group. Faces of other groups are taken; those that were dropped are not.
-Groups disks(const mesh::QuadMesh &mesh, const Groups &groups, Taken taken);
+Groups disks(const mesh::QuadMesh &mesh, const Groups &groups, Taken taken, const Pace &pace = {});
 
 // Disks of all free faces: `divide` tells the group, 0 .. n - 1, of every node of a dual graph.
-using Divide = std::function<std::vector<std::size_t>(const FaceDual &dual, std::size_t n)>;
-Groups decompose(const mesh::QuadMesh &mesh, double size, Taken taken, const Divide &divide);
+using Divide = std::function<std::vector<std::size_t>(const FaceDual &dual, std::size_t n, const Pace &pace)>;
+Groups decompose(const mesh::QuadMesh &mesh, double size, Taken taken, const Divide &divide,
+                 const Pace &pace);
 
 // Lloyd (1982) on the graph, from random nodes: a group for every node.
-std::vector<std::size_t> lloyd(const FaceDual &dual, std::size_t n, std::uint64_t seed);
+std::vector<std::size_t> lloyd(const FaceDual &dual, std::size_t n, std::uint64_t seed,
+                               const Pace &pace = {});
 
 } // namespace alphamst::patch

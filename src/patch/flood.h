@@ -19,8 +19,8 @@ class Flood {
 public:
     using Start = std::tuple<double, std::size_t, std::size_t>; // distance, node, source
 
-    explicit Flood(const FaceDual &dual)
-        : dual_(dual), distance_(dual.size(), std::numeric_limits<double>::infinity()),
+    explicit Flood(const FaceDual &dual, const Pace &pace = {})
+        : dual_(dual), pace_(pace), distance_(dual.size(), std::numeric_limits<double>::infinity()),
           source_(dual.size(), 0) {}
 
     double distance(std::size_t node) const { return distance_[node]; }
@@ -42,6 +42,7 @@ public:
         while (!front.empty()) {
             const auto [distance, node, source] = front.top();
             front.pop();
+            pace_.step();
             if (distance > distance_[node] || source != source_[node])
                 continue;
             for (const std::int32_t link : dual_.neighbours(node)) {
@@ -68,6 +69,7 @@ public:
 
 private:
     const FaceDual &dual_;
+    Pace pace_;
     std::vector<double> distance_;
     std::vector<std::size_t> source_;
     std::priority_queue<std::pair<double, std::size_t>> far_; // distances only fall: these are bounds

@@ -31,9 +31,10 @@ double distance(const Point &p, const BufferRing &rim) {
 // cuts down leave room for others around them.
 class Discs {
 public:
-    Discs(const mesh::QuadMesh &mesh, const FaceDual &dual, double size)
-        : mesh_(mesh), dual_(dual), most_(static_cast<std::size_t>(std::max(1.0, std::round(size)))),
-          flood_(dual), state_(dual.size(), State::free), seen_(dual.size(), 0) {
+    Discs(const mesh::QuadMesh &mesh, const FaceDual &dual, double size, const Pace &pace)
+        : mesh_(mesh), dual_(dual), pace_(pace),
+          most_(static_cast<std::size_t>(std::max(1.0, std::round(size)))), flood_(dual, pace),
+          state_(dual.size(), State::free), seen_(dual.size(), 0) {
         least_ = std::max<std::size_t>(1, most_ / 4);
     }
 
@@ -147,6 +148,7 @@ private:
         while (!front.empty() && disc.size() < most_) {
             const std::size_t node = front.top().second;
             front.pop();
+            pace_.step();
             disc.push_back(node);
             for (const std::int32_t next : dual_.neighbours(node))
                 offer(static_cast<std::size_t>(next));
@@ -166,6 +168,7 @@ private:
         ++round_;
         fresh(centre);
         for (std::size_t i = 0; i < front.size(); ++i) {
+            pace_.step();
             rims_of(front[i], [&](const BufferRing &rim) {
                 const double away = distance(dual_.centroids[centre], rim);
                 if (away < radius) {
@@ -192,6 +195,7 @@ private:
 
     const mesh::QuadMesh &mesh_;
     const FaceDual &dual_;
+    const Pace &pace_;
     std::size_t most_, least_;
     Flood flood_;
     std::vector<BufferRing> rims_;
@@ -204,12 +208,14 @@ private:
 
 } // namespace
 
-Groups medial_discs(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken) {
+Groups medial_discs(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken,
+                    const Pace &pace) {
     Groups groups;
-    for (const FaceDual &dual : duals(mesh, taken))
-        for (auto &disc : Discs(mesh, dual, size).all(seed))
+    const Pace first = pace.part(0, 0.8); // of the time, about
+    for (const FaceDual &dual : duals(mesh, taken, first))
+        for (auto &disc : Discs(mesh, dual, size, first).all(seed))
             groups.push_back(std::move(disc));
-    return disks(mesh, groups, taken);
+    return disks(mesh, groups, taken, pace.part(0.8, 1));
 }
 
 } // namespace alphamst::patch

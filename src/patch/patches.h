@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/quad_mesh.h"
+#include "pace.h"
 
 namespace alphamst::patch {
 
@@ -35,20 +36,20 @@ std::vector<int> repair_but_rings(const mesh::QuadMesh &mesh, std::vector<int> f
 //
 // Compact clusters (Lloyd on the dual graph).
 std::vector<std::vector<int>> clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
-                                       Taken taken);
-// Balanced parts (METIS k-way on the dual graph).
+                                       Taken taken, const Pace &pace = {});
+// Balanced parts (recursive bisection of the dual graph).
 std::vector<std::vector<int>> partition(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
-                                        Taken taken);
+                                        Taken taken, const Pace &pace = {});
 // Geodesic Voronoi cells of faces that lie far from one another.
 std::vector<std::vector<int>> voronoi_cells(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
-                                            Taken taken);
+                                            Taken taken, const Pace &pace = {});
 // Faces within the largest inscribed circles, the largest first; `size` is the most, a quarter
 // of it the least. What bounds the free faces are the mesh boundary, flags, markers and taken
 // faces; where there is none the first circle is around a random face.
 std::vector<std::vector<int>> medial_discs(const mesh::QuadMesh &mesh, double size, std::uint64_t seed,
-                                           Taken taken);
+                                           Taken taken, const Pace &pace = {});
 // Faces around singular vertices, around all that lie together; no others, and nothing random.
 std::vector<std::vector<int>> singularity_clusters(const mesh::QuadMesh &mesh, double size,
-                                                   std::uint64_t seed, Taken taken);
+                                                   std::uint64_t seed, Taken taken, const Pace &pace = {});
 
 } // namespace alphamst::patch

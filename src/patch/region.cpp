@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "stop.h"
+
 namespace alphamst::patch {
 namespace {
 
@@ -124,10 +126,12 @@ std::vector<std::vector<int>> parts(const mesh::QuadMesh &mesh, std::span<const 
     for (const int start : faces) {
         std::vector<int> part;
         visit(start, part);
-        for (std::size_t i = 0; i < part.size(); ++i)
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            Stop::point();
             for (const Halfedge h : halfedges_of(mesh, part[i]))
                 if (across || !barrier(mesh, h))
                     visit(right(mesh, h), part);
+        }
         if (part.empty())
             continue;
         std::sort(part.begin(), part.end());

@@ -15,8 +15,8 @@ namespace {
 // one while they have no more faces than wanted, those with the fewest first.
 class Balls {
 public:
-    Balls(const mesh::QuadMesh &mesh, const FaceDual &dual, double size)
-        : mesh_(mesh), dual_(dual), size_(std::max(size, 1.0)), owner_(dual.size(), none) {}
+    Balls(const mesh::QuadMesh &mesh, const FaceDual &dual, double size, const Pace &pace)
+        : mesh_(mesh), dual_(dual), pace_(pace), size_(std::max(size, 1.0)), owner_(dual.size(), none) {}
 
     Groups around(std::span<const int> vertices) {
         balls_.resize(vertices.size());
@@ -88,6 +88,7 @@ private:
         std::vector<int> fresh;
         for (int b = 0; b < n_balls(); ++b) {
             Ball &ball = balls_[at(b)];
+            pace_.step(ball.front.size() + 1);
             std::vector<int> found;
             for (const int node : ball.front)
                 layer(b, node, found);
@@ -158,6 +159,7 @@ private:
 
     const mesh::QuadMesh &mesh_;
     const FaceDual &dual_;
+    const Pace &pace_;
     double size_;
     std::vector<int> owner_; // [node] ball
     DisjointSets united_{0};
@@ -183,23 +185,26 @@ std::vector<int> loose_singularities(const mesh::QuadMesh &mesh, Taken taken) {
 } // namespace
 
 // What a cluster lost when it was made a disk may hold singular vertices: they are next.
-Groups singularity_clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t, Taken taken) {
+Groups singularity_clusters(const mesh::QuadMesh &mesh, double size, std::uint64_t, Taken taken,
+                            const Pace &pace) {
     Groups result;
     std::vector<char> used(static_cast<std::size_t>(mesh.n_faces()), 0);
     std::copy(taken.begin(), taken.end(), used.begin());
     std::vector<int> left = loose_singularities(mesh, taken);
     while (!left.empty()) {
         Groups groups;
-        for (const FaceDual &dual : duals(mesh, used)) {
+        for (const FaceDual &dual : duals(mesh, used, pace)) {
             std::vector<int> here;
-            for (const int face : dual.faces)
+            for (const int face : dual.faces) {
+                pace.step();
                 for (const int v : mesh.corners(face))
                     if (contains(left, v))
                         here.push_back(v);
-            for (auto &group : Balls(mesh, dual, size).around(sorted_unique(here)))
+            }
+            for (auto &group : Balls(mesh, dual, size, pace).around(sorted_unique(here)))
                 groups.push_back(std::move(group));
         }
-        for (auto &disk : disks(mesh, groups, used)) {
+        for (auto &disk : disks(mesh, groups, used, pace)) {
             for (const int face : disk)
                 used[static_cast<std::size_t>(face)] = 1;
             result.push_back(std::move(disk));

@@ -22,10 +22,10 @@ std::vector<double> spacing(const FaceDual &dual) {
 // Centres: from a random node on, always the one that is farthest from those before (Eldar,
 // Lindenbaum, Porat and Zeevi 1997; on meshes Peyre and Cohen 2006). Far is measured in faces,
 // so that a cell has about as many where the mesh is fine as where it is coarse.
-std::vector<Flood::Start> centres(const FaceDual &dual, std::size_t n, std::uint64_t seed) {
+std::vector<Flood::Start> centres(const FaceDual &dual, std::size_t n, std::uint64_t seed, const Pace &pace) {
     std::mt19937_64 random(seed);
     const std::vector<double> size = spacing(dual);
-    Flood flood(dual);
+    Flood flood(dual, pace);
     const auto in_faces = [&](std::size_t node, std::size_t next, std::size_t) {
         return flood.distance(node) + 2 * dual.length(node, next) / (size[node] + size[next]);
     };
@@ -39,9 +39,9 @@ std::vector<Flood::Start> centres(const FaceDual &dual, std::size_t n, std::uint
     return result;
 }
 
-std::vector<std::size_t> cells(const FaceDual &dual, std::size_t n, std::uint64_t seed) {
-    Flood flood(dual);
-    flood.add(centres(dual, n, seed), [&](std::size_t node, std::size_t next, std::size_t) {
+std::vector<std::size_t> cells(const FaceDual &dual, std::size_t n, std::uint64_t seed, const Pace &pace) {
+    Flood flood(dual, pace);
+    flood.add(centres(dual, n, seed, pace), [&](std::size_t node, std::size_t next, std::size_t) {
         return flood.distance(node) + dual.length(node, next);
     });
     std::vector<std::size_t> group(dual.size());
@@ -52,9 +52,12 @@ std::vector<std::size_t> cells(const FaceDual &dual, std::size_t n, std::uint64_
 
 } // namespace
 
-Groups voronoi_cells(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken) {
-    return decompose(mesh, size, taken,
-                     [&](const FaceDual &dual, std::size_t n) { return cells(dual, n, seed); });
+Groups voronoi_cells(const mesh::QuadMesh &mesh, double size, std::uint64_t seed, Taken taken,
+                     const Pace &pace) {
+    return decompose(
+        mesh, size, taken,
+        [&](const FaceDual &dual, std::size_t n, const Pace &part) { return cells(dual, n, seed, part); },
+        pace);
 }
 
 } // namespace alphamst::patch

@@ -13,6 +13,15 @@ namespace {
 // Curvatures count between these multiples of the mean one: edges are about four times as long where it
 // is flat.
 constexpr double flat = 0.1, sharp = 8;
+// Below this, over the extent of the surface, curvatures are rounding, and a surface has one that is even.
+constexpr double least_curvature = 1e-9;
+
+double extent(const surface::Surface &surface) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d &p : surface.points())
+        box.extend(p);
+    return box.diagonal().norm();
+}
 
 // At each vertex, the root of the area that faces have around it, smoothed over neighbours: one small face
 // among large ones is an accident and not wanted.
@@ -68,7 +77,8 @@ SizingField::SizingField(Reference &reference, std::int64_t wanted) : reference_
     const double edges = std::sqrt(points / static_cast<double>(std::max<std::int64_t>(1, wanted)));
     const std::vector<double> curvature =
         surface::curvature(surface, std::clamp(static_cast<int>(edges), 1, 6));
-    const double mean = std::accumulate(curvature.begin(), curvature.end(), 0.0) / points;
+    const double mean = std::max(std::accumulate(curvature.begin(), curvature.end(), 0.0) / points,
+                                 least_curvature / extent(surface));
     for (const auto &[a, b, c] : surface.triangles()) {
         const double bend = (curvature[static_cast<std::size_t>(a)] + curvature[static_cast<std::size_t>(b)] +
                              curvature[static_cast<std::size_t>(c)]) /

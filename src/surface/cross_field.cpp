@@ -130,7 +130,7 @@ Level coarser(const Level &fine, int merged) {
     return coarse;
 }
 
-void relax(const Level &level, std::vector<Complex> &crosses, int sweeps) {
+void relax(const Level &level, std::vector<Complex> &crosses, int sweeps, const Pace &pace) {
     const auto accept_or_roll_back = [&](std::size_t i) {
         Complex sum = level.guides[i];
         for (std::size_t k = level.begin[i]; k < level.begin[i + 1]; ++k)
@@ -139,15 +139,19 @@ void relax(const Level &level, std::vector<Complex> &crosses, int sweeps) {
     };
     // To and fro, so that neither way is preferred.
     for (int sweep = 0; sweep < sweeps; ++sweep)
-        for (std::size_t i = 0; i < level.size(); ++i)
+        for (std::size_t i = 0; i < level.size(); ++i) {
+            pace.step();
             accept_or_roll_back(sweep % 2 == 0 ? i : level.size() - 1 - i);
+        }
 }
 
-std::vector<Complex> solve(const Links &links, std::span<const Guide> guides, int sweeps) {
+std::vector<Complex> solve(const Links &links, std::span<const Guide> guides, int sweeps, const Pace &pace) {
     std::vector<Level> levels;
     levels.push_back(finest(links, guides));
     for (;;) {
+        pace.step(levels.back().size());
         const int merged = merge(levels.back());
+        pace.step(levels.back().size());
         if (at(merged) == levels.back().size())
             break;
         levels.push_back(coarser(levels.back(), merged));
@@ -162,15 +166,17 @@ std::vector<Complex> solve(const Links &links, std::span<const Guide> guides, in
         for (std::size_t i = 0; i < level.size(); ++i)
             lifted[i] = level.lift[i] * crosses[at(level.parent[i])];
         crosses = std::move(lifted);
-        relax(level, crosses, sweeps);
+        relax(level, crosses, sweeps, pace);
+        pace.reach(1.0 / static_cast<double>(levels.size()));
     }
     return crosses;
 }
 
 } // namespace
 
-std::vector<Vector3d> solve_cross_field(const Links &links, std::span<const Guide> guides, int sweeps) {
-    const std::vector<Complex> crosses = solve(links, guides, sweeps);
+std::vector<Vector3d> solve_cross_field(const Links &links, std::span<const Guide> guides, int sweeps,
+                                        const Pace &pace) {
+    const std::vector<Complex> crosses = solve(links, guides, sweeps, pace);
     std::vector<Vector3d> directions;
     directions.reserve(crosses.size());
     for (std::size_t i = 0; i < crosses.size(); ++i)

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "pace.h"
 #include "surface/rosy.h"
 
 namespace alphamst::surface {
@@ -31,6 +32,7 @@ struct Guide {
 // over links and guides of weight * (1 - cos(4 * angle)), as far as `sweeps` of Gauss and Seidel lead on each
 // level of a hierarchy of merged nodes, the coarsest first (after Jakob, Tarini, Panozzo and Sorkine-Hornung
 // 2015). Costs O(sweeps * (nodes + links)) on a surface; the same for the same input.
-std::vector<Eigen::Vector3d> solve_cross_field(const Links &links, std::span<const Guide> guides, int sweeps);
+std::vector<Eigen::Vector3d> solve_cross_field(const Links &links, std::span<const Guide> guides, int sweeps,
+                                               const Pace &pace = {});
 
 } // namespace alphamst::surface

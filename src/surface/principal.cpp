@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <utility>
 
+#include "stop.h"
+
 namespace alphamst::surface {
 
 Complex deviation(const Frame &frame, std::span<const Bend> bends) {
@@ -30,6 +32,7 @@ void average(const Links &links, std::vector<Complex> &deviations, int rounds) {
     for (int round = 0; round < rounds; ++round) {
         std::vector<Complex> averages(deviations.size());
         for (std::size_t i = 0; i < deviations.size(); ++i) {
+            Stop::point();
             Complex sum;
             const std::size_t n = links.begin[i + 1] - links.begin[i];
             for (std::size_t k = links.begin[i]; k < links.begin[i + 1]; ++k) {

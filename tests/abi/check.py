@@ -3,6 +3,7 @@
 
 matrix      the header compiles alone, without a warning, in every C and C++
 symbols     declared in the header = exported by the library = listed in symbols.txt
+soname      the name that programs look for at run time changes with what may break them
 constants   every value in constants.txt is still the header's, and none is missing there
 abi         no type, argument or member in libalphamst.abi has changed or moved
 defaults    the options of the library begin with what the comments of the header say
@@ -72,13 +73,29 @@ def matrix(_):
             print(f"{compiler} -std={standard}: {'ok' if done.returncode == 0 else 'FAILED'}")
             if done.returncode != 0:
                 wrong.append(done.stderr)
+        command = [compiler, f"-std={standards[-1]}", f"-I{INCLUDE}", "-c", "-o", os.devnull, "-x", language, "-"]
+        done = run(command, input="#include <alphamst/alphamst.h>\n"
+                                  "int look(void) { amst_options_create(0); return 0; }\n")
+        if "amst_options_create" not in done.stderr:
+            wrong.append(f"{compiler} does not warn of a status that is not looked at")
     return wrong
 
 
 def symbols(library):
     declared = interface().functions
     return (differences("exported", declared, exported(library))
-            + differences("symbols.txt", declared, listed(SYMBOLS)))
+            + differences("symbols.txt", declared, listed(SYMBOLS))
+            + [f"{name} can fail and is not AMST_TRY" for name in
+               re.findall(r"^AMST_API amst_status (\w+)", HEADER.read_text(encoding="utf-8"), flags=re.M)])
+
+
+def soname(library):
+    """Before 1.0 a minor version may break the interface, so that programs have to ask for theirs."""
+    versions = dict(re.findall(r"#define AMST_VERSION_(\w+) (\d+)", HEADER.read_text(encoding="utf-8")))
+    number = versions["MAJOR"] if versions["MAJOR"] != "0" else f"0.{versions['MINOR']}"
+    name = f"libalphamst.so.{number}"
+    dynamic = must_run(["readelf", "-d", library])
+    return [] if f"[{name}]" in dynamic else [f"the SONAME is not {name}"]
 
 
 def constants_kept(_):
@@ -88,7 +105,7 @@ def constants_kept(_):
 def stub():
     """A C file that defines every function of the header."""
     code = re.sub(r"/\*.*?\*/|^#.*?$", "", HEADER.read_text(encoding="utf-8"), flags=re.S | re.M)
-    heads = re.findall(r"\bAMST_API\b([^;]*);", code)
+    heads = re.findall(r"\bAMST_(?:API|TRY)\b([^;]*);", code)
     bodies = ["{}" if head.split()[0] == "void" else "{ return 0; }" for head in heads]
     return "#include <alphamst/alphamst.h>\n" + "".join(map("{} {}\n".format, heads, bodies))
 
@@ -172,16 +189,17 @@ def update(_):
     return wrong
 
 
-CHECKS = {"matrix": matrix, "symbols": symbols, "constants": constants_kept, "abi": abi,
+CHECKS = {"matrix": matrix, "symbols": symbols, "soname": soname,
+          "constants": constants_kept, "abi": abi,
           "defaults": defaults_kept, "bindgen": bindgen, "update": update}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("check", choices=CHECKS)
-    parser.add_argument("--library", help="libalphamst.so, for symbols and defaults")
+    parser.add_argument("--library", help="libalphamst.so, for symbols, soname and defaults")
     arguments = parser.parse_args()
-    if arguments.check in ("symbols", "defaults") and not arguments.library:
+    if arguments.check in ("symbols", "soname", "defaults") and not arguments.library:
         parser.error(f"{arguments.check} needs --library")
     wrong = CHECKS[arguments.check](arguments.library)
     print("\n".join(wrong) if wrong else f"{arguments.check}: ok")

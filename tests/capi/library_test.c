@@ -15,7 +15,6 @@ static void version_is_that_of_the_header(void **state) {
 static void features(void **state) {
     (void)state;
     assert_int_equal(amst_has("threads"), 1);
-    assert_int_equal(amst_has("metis"), 1);
     assert_int_equal(amst_has("teleportation"), 0);
     assert_int_equal(amst_has(""), 0);
     assert_int_equal(amst_has(NULL), 0);

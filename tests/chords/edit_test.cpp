@@ -25,7 +25,7 @@ TEST(CollapseChord, KeepsElementsUprightAndTheBoundaryInPlace) {
         if (row.reasons == 0) {
             mesh = before;
             mesh.reset_origins();
-            const Outcome outcome = collapse_chord(mesh, row.edge, {}, settings);
+            const Outcome outcome = collapse_chord(mesh, row.edge, {}, settings, silent);
             mesh.check();
             EXPECT_EQ(outcome.faces_after, before.n_faces() - row.length);
             EXPECT_EQ(outcome.singular_after, row.singular_after);
@@ -40,7 +40,7 @@ TEST(SplitChord, CutsEveryFaceOfTheRow) {
     for (const int copies : {1, 3}) {
         mesh::QuadMesh mesh = before;
         const int edge = mesh.find_edge(0, 1); // of the column i = 0, of 4 faces
-        const Outcome outcome = split_chord(mesh, edge, copies, 1 << 20, {true}, settings);
+        const Outcome outcome = split_chord(mesh, edge, copies, 1 << 20, {true}, settings, silent);
         mesh.check();
         EXPECT_EQ(outcome.faces_before, 24);
         EXPECT_EQ(outcome.faces_after, 24 + 4 * copies);
@@ -49,9 +49,10 @@ TEST(SplitChord, CutsEveryFaceOfTheRow) {
     }
     mesh::QuadMesh mesh = before;
     const auto digest = mesh.checksum();
-    EXPECT_EQ(
-        mesh::failure_of([&] { split_chord(mesh, mesh.find_edge(0, 1), 2, 31, {true}, settings); }).fault,
-        Fault::range);
+    EXPECT_EQ(mesh::failure_of([&] {
+                  split_chord(mesh, mesh.find_edge(0, 1), 2, 31, {true}, settings, silent);
+              }).fault,
+              Fault::range);
     EXPECT_EQ(mesh.checksum(), digest);
 }
 

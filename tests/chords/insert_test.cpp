@@ -136,7 +136,7 @@ TEST(InsertChords, CollapsingTheRingsGivesTheOldConnectivity) {
             });
             ASSERT_NE(ring, rows.end()) << c.name;
             EXPECT_EQ(ring->singular_after, singular(c.mesh) + (left > 1 ? c.added : 0)) << c.name;
-            ASSERT_NO_THROW(collapse_chord(mesh, ring->edge, {}, settings)) << c.name;
+            ASSERT_NO_THROW(collapse_chord(mesh, ring->edge, {}, settings, silent)) << c.name;
             mesh.check();
         }
         EXPECT_TRUE(isomorphic(mesh, c.mesh)) << c.name;

@@ -19,7 +19,7 @@ fn main() -> Result<(), alphamst::Error> {
     let mut mesh = Mesh::new(&Context::new(), &points, &faces)?;
     let mut patches = Patches::new(&mesh, None);
     patches.add_ball([4.0, 4.0, 0.0], 2.5)?;
-    mesh.adapt(&mut patches, 2.0, None)?;
+    let _ = mesh.adapt(&mut patches, 2.0, None)?;
     mesh.check()?;
     println!("{} faces", mesh.n_faces());
     assert!(mesh.n_faces() > faces.len(), "the mesh is no finer");

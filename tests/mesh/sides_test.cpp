@@ -46,6 +46,23 @@ TEST(Sides, CoordinatesAreFinite) {
     }
 }
 
+TEST(Sides, CoordinatesAreWithinReach) {
+    std::vector<double> points{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    const auto scaled = [&](double factor) {
+        std::vector<double> result = points;
+        for (double &x : result)
+            x *= factor;
+        return result;
+    };
+    for (const double factor : {1e-30, 1e-12, 1e12, 1e30, 0.0})
+        EXPECT_NO_THROW(test_points(scaled(factor)));
+    EXPECT_EQ(failure_of([&] { test_points(scaled(1e-31)); }).fault, Fault::range);
+    const Failure failure = failure_of([&] { test_points(scaled(-1e31)); });
+    EXPECT_EQ(failure.fault, Fault::range);
+    EXPECT_EQ(failure.entity, Entity::vertex);
+    EXPECT_EQ(failure.ids, (std::vector<std::int64_t>{1}));
+}
+
 TEST(Sides, CornersAreDifferentVerticesOfTheMesh) {
     EXPECT_NO_THROW(test_corners(mixed, 5, true));
     const auto fault = [](const Ids &faces, bool triangles) {

@@ -22,7 +22,7 @@ using testing::mark;
 using testing::none;
 using testing::set_feature;
 
-using Decompose = Groups (*)(const mesh::QuadMesh &, double, std::uint64_t, Taken);
+using Decompose = Groups (*)(const mesh::QuadMesh &, double, std::uint64_t, Taken, const Pace &);
 struct Method {
     std::string name;
     Decompose decompose;
@@ -37,7 +37,7 @@ std::string name_of(const ::testing::TestParamInfo<Method> &info) { return info.
 class Decomposition : public ::testing::TestWithParam<Method> {
 protected:
     Groups run(const mesh::QuadMesh &mesh, double size, std::uint64_t seed = 1, Taken taken = none) const {
-        return GetParam().decompose(mesh, size, seed, taken);
+        return GetParam().decompose(mesh, size, seed, taken, {});
     }
 };
 class Cover : public Decomposition {};

@@ -42,7 +42,7 @@ contains
         text = to_fortran(amst_version_string())
     end function alphamst_version_string
 
-    !> Whether the library has the named feature, "threads" or "metis".
+    !> Whether the library has the named feature, "threads".
     function alphamst_has(feature)
         character(len=*), intent(in) :: feature
         logical :: alphamst_has

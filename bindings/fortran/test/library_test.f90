@@ -30,7 +30,7 @@ contains
         write (text, '(i0, ".", i0, ".", i0)') AMST_VERSION_MAJOR, AMST_VERSION_MINOR, AMST_VERSION_PATCH
         call claim(alphamst_version_string() == trim(text), 'version as text')
         call claim(alphamst_has('threads'), 'threads')
-        call claim(alphamst_has('metis  '), 'metis, with trailing blanks')
+        call claim(alphamst_has('threads  '), 'threads, with trailing blanks')
         call claim(.not. alphamst_has('teleportation'), 'no such feature')
         call claim(.not. alphamst_has(''), 'no feature')
         call claim(c_sizeof(amst_summary(0, 0, 0, 0, 0, 0)) == 48, 'size of a summary')

@@ -12,7 +12,7 @@ library_version() = VersionNumber(unsafe_string(amst_version_string()))
 """
     library_has(feature)
 
-Whether the library was built with a feature: `"threads"` or `"metis"`.
+Whether the library was built with a feature: `"threads"`.
 """
 library_has(feature::AbstractString) = amst_has(feature) != 0
 
@@ -33,7 +33,7 @@ function library_path()
         isfile(note) && return abspath(joinpath(dirname(project), strip(read(note, String))))
     end
     # The second is what is there without the files for developers.
-    found = find_library(["libalphamst", "libalphamst.so.0", "libalphamst.0", "alphamst"])
+    found = find_library(["libalphamst", "libalphamst.so.0.1", "libalphamst.0.1", "alphamst"])
     isempty(found) || return found
     error("The library alphamst is not found. Set the environment variable AMST_LIBRARY to its " *
           "file, or write the file's path into a file named AMST_LIBRARY beside the active " *

@@ -3,7 +3,7 @@
     @test LibAlphaMST.amst_version() == 100
     @test AlphaMST.is_compatible(100) && AlphaMST.is_compatible(199)
     @test !AlphaMST.is_compatible(200) && !AlphaMST.is_compatible(10100)
-    @test library_has("metis") && library_has("threads")
+    @test library_has("threads")
     @test !library_has("teleport")
     @test status_name(-9) == "AMST_ERR_STALE"
     @test status_name(-10) == "AMST_ERR_NOT_FOUND"

@@ -22,7 +22,7 @@ pub fn version_string() -> &'static str {
     unsafe { CStr::from_ptr(sys::amst_version_string()) }.to_str().unwrap_or_default()
 }
 
-/// Whether the build has the named feature: "threads", "metis".
+/// Whether the build has the named feature: "threads".
 ///
 /// ```
 /// assert!(alphamst::has("threads"));

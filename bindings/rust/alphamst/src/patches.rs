@@ -16,7 +16,7 @@ enumeration! {
     Decomposition {
         /// Compact clusters of faces (Lloyd).
         Clusters = AMST_DECOMPOSE_CLUSTERS,
-        /// Balanced partition of the graph (METIS).
+        /// Balanced partition of the graph.
         Partition = AMST_DECOMPOSE_PARTITION,
         /// Geodesic Voronoi cells of faces far from one another.
         Voronoi = AMST_DECOMPOSE_VORONOI,

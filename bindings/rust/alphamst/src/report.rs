@@ -62,6 +62,7 @@ enumeration! {
 
 /// What one operation did, per patch and in all. It never changes, outlives mesh and patches, and waits
 /// for nobody.
+#[must_use = "it tells whether all was done that was asked for, see `Report::is_partial`"]
 pub struct Report {
     raw: NonNull<sys::amst_report>,
     n_patches: usize,
@@ -90,6 +91,7 @@ impl Report {
     /// assert!(!mesh.smooth(None, None)?.is_partial());
     /// # Ok::<(), Error>(())
     /// ```
+    #[must_use]
     pub fn is_partial(&self) -> bool {
         self.all().status() == Status::Partial
     }

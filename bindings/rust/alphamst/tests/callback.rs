@@ -28,7 +28,7 @@ fn progress_rises_on_the_calling_thread() {
             ControlFlow::Continue(())
         })
         .unwrap();
-    run(&mut mesh, &mut patches).unwrap();
+    let _ = run(&mut mesh, &mut patches).unwrap();
     let seen = std::mem::take(&mut *seen.lock().unwrap());
     assert!(seen.len() >= 3 && seen.windows(2).all(|pair| pair[0].0 <= pair[1].0));
     assert_eq!((seen[0].0, seen[seen.len() - 1].0), (0.0, 1.0));
@@ -89,7 +89,7 @@ fn a_panic_at_any_call_changes_nothing() {
         }
         assert_eq!((mesh.checksum(), mesh.revision()), (digest, 0));
         context.clear_progress().unwrap();
-        mesh.clone().smooth(None, None).unwrap(); // the panic is over, the context is free
+        let _ = mesh.clone().smooth(None, None).unwrap(); // the panic is over, the context is free
         stops += 1;
     }
     assert!(stops >= 2);
@@ -107,7 +107,7 @@ fn a_panic_in_the_log_is_the_callers() {
     assert!(mesh.checksum() == before || mesh.n_faces() == faces + 16);
     mesh.check().unwrap();
     context.clear_log().unwrap();
-    mesh.smooth(&patches, None).unwrap();
+    let _ = mesh.smooth(&patches, None).unwrap();
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn the_log_speaks_up_to_its_level() {
         context
             .set_log(level, move |level, message| told.lock().unwrap().push((level, message.to_owned())))
             .unwrap();
-        mesh.adapt(&mut patches, 2.0, None).unwrap();
+        let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
         std::mem::take(&mut *heard.lock().unwrap())
     };
     assert_eq!(listen(LogLevel::Off), []);
@@ -149,12 +149,12 @@ fn cleared_functions_are_called_no_more() {
             log.fetch_add(100, Ordering::Relaxed);
         })
         .unwrap();
-    mesh.smooth(None, None).unwrap();
+    let _ = mesh.smooth(None, None).unwrap();
     assert!(calls.load(Ordering::Relaxed) > 100);
     context.clear_progress().unwrap();
     context.clear_log().unwrap();
     assert_eq!(Arc::strong_count(&calls), 1); // both functions are gone
-    mesh.smooth(None, None).unwrap();
+    let _ = mesh.smooth(None, None).unwrap();
 }
 
 #[test]
@@ -170,7 +170,7 @@ fn a_token_stops_until_it_is_reset() {
     assert_eq!(mesh.clean(None).unwrap_err().status, Status::Cancelled);
     assert_eq!(mesh.checksum(), digest);
     token.reset();
-    mesh.clean(None).unwrap();
+    let _ = mesh.clean(None).unwrap();
     drop(context);
     token.cancel(); // outlives its context
     assert_eq!(mesh.clean(None).unwrap_err().status, Status::Cancelled);
@@ -229,7 +229,7 @@ fn callbacks_may_ask_and_drop_but_not_change() {
             ControlFlow::Continue(())
         })
         .unwrap();
-    run(&mut mesh, &mut patches).unwrap();
+    let _ = run(&mut mesh, &mut patches).unwrap();
     assert!(calls.load(Ordering::Relaxed) > 1);
     context.clear_progress().unwrap(); // ends the circle of context, function and mesh
 }

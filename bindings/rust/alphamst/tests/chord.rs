@@ -29,7 +29,7 @@ fn rings_go_in_and_out() {
     assert_eq!(mesh.chords(ChordProperty::Refusal, None)[ring], 0);
     let after = mesh.chords(ChordProperty::SingularAfter, None)[ring];
     let edge = EdgeId::new(mesh.chords(ChordProperty::Edge, None)[ring] as i32);
-    mesh.collapse_chord(edge, None).unwrap();
+    let _ = mesh.collapse_chord(edge, None).unwrap();
     assert_eq!((mesh.n_faces(), mesh.singularities().len() as i64), (80, after));
     mesh.rollback(mark).unwrap();
     assert_eq!(mesh.checksum(), digest);
@@ -53,6 +53,6 @@ fn refusals_change_nothing_and_say_why() {
 fn whole_meshes_adapt_by_chords() {
     let mut mesh = grid::mesh(&Context::new(), 8, 8);
     let options = Options::new().strategy(1).unwrap().edit_boundary(true);
-    mesh.adapt(None, 42.0 / 64.0, &options).unwrap(); // seven rows and six columns
+    let _ = mesh.adapt(None, 42.0 / 64.0, &options).unwrap(); // seven rows and six columns
     assert_eq!((mesh.n_faces(), mesh.singularities().len()), (42, 0));
 }

@@ -36,7 +36,7 @@ impl World {
         }
         if let Some(mesh) = &mut self.mesh {
             mesh.check().unwrap();
-            mesh.smooth(self.patches.as_ref(), None).unwrap();
+            let _ = mesh.smooth(self.patches.as_ref(), None).unwrap();
         }
         if let Some(patches) = &self.patches {
             let patch = patches.patch(PatchId::new(0)).unwrap();

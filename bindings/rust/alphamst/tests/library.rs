@@ -7,8 +7,8 @@ use alphamst::*;
 fn version_and_features() {
     assert_eq!(version(), 100);
     assert_eq!(version_string(), "0.1.0");
-    assert!(has("threads") && has("metis"));
-    assert!(!has("") && !has("metis\0"));
+    assert!(has("threads"));
+    assert!(!has("") && !has("threads\0"));
 }
 
 #[test]

@@ -92,7 +92,7 @@ fn patches_must_be_of_the_mesh_and_current() {
     }
     let mut old = Patches::new(&mesh, None);
     old.add_rings(VertexId::new(0), 1).unwrap();
-    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
     assert_eq!(mesh.reduce_singularities(&mut old, None).unwrap_err().status, Status::Stale);
 }
 
@@ -103,7 +103,7 @@ fn results_are_the_same_for_any_number_of_threads() {
         context.set_threads(threads).unwrap();
         let (mut mesh, mut patches) = grid::patched(&context, 12, 1, 5);
         patches.add_faces(&grid::square(12, 6, 11)).unwrap();
-        mesh.adapt(&mut patches, 1.5, None).unwrap();
+        let _ = mesh.adapt(&mut patches, 1.5, None).unwrap();
         mesh.checksum()
     };
     assert_eq!(digest(1), digest(0));
@@ -114,7 +114,7 @@ fn results_are_the_same_for_any_number_of_threads() {
 fn without_patches_the_whole_mesh_changes() {
     let context = Context::new();
     let (mut mesh, mut patches) = grid::patched(&context, 10, 2, 7);
-    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
     let report = mesh.adapt(None, 1.2, None).unwrap();
     assert_eq!((report.all().faces_before(), report.all().faces_wanted(), mesh.n_faces()), (125, 150, 150));
     let before = mesh.singularities().len();

@@ -9,10 +9,10 @@ fn savepoints_nest() {
     let (mut mesh, mut patches) = grid::patched(&context, 8, 2, 6);
     let (first, at_first) = (mesh.mark().unwrap(), mesh.checksum());
     assert_eq!(first, mesh.revision());
-    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
     let (second, at_second) = (mesh.mark().unwrap(), mesh.checksum());
     assert!(second > first);
-    mesh.adapt(&mut patches, 0.5, None).unwrap();
+    let _ = mesh.adapt(&mut patches, 0.5, None).unwrap();
     assert!(mesh.revision() > second);
 
     mesh.rollback(second).unwrap();
@@ -34,7 +34,7 @@ fn patches_of_the_revision_are_current_again() {
     let mut other = Patches::new(&mesh, None);
     other.add_rings(VertexId::new(0), 1).unwrap();
     let start = mesh.mark().unwrap();
-    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
     let error = other.patch(PatchId::new(0)).unwrap_err();
     assert_eq!(error.status, Status::Stale);
     mesh.rollback(start).unwrap();

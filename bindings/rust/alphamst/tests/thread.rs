@@ -59,7 +59,7 @@ fn patches_wait_for_their_mesh() {
             }
         });
         while !reader.is_finished() {
-            mesh.adapt(&mut patches, 2.0, None).unwrap();
+            let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
             mesh.rollback(start).unwrap();
             patches = Patches::new(&mesh, None);
             patches.add_faces(&grid::square(12, 2, 8)).unwrap();
@@ -77,7 +77,7 @@ fn operations_of_one_context_take_turns() {
                 let (mut mesh, mut patches) = grid::patched(&context, 8, 1, 5);
                 for alpha in [2.0, 0.5, 1.5] {
                     context.set_threads(2).unwrap();
-                    mesh.adapt(&mut patches, alpha, None).unwrap();
+                    let _ = mesh.adapt(&mut patches, alpha, None).unwrap();
                 }
                 mesh.check().unwrap();
             });
@@ -91,7 +91,7 @@ fn contexts_share_nothing() {
         .map(|_| {
             thread::spawn(|| {
                 let (mut mesh, mut patches) = grid::patched(&Context::new(), 10, 1, 7);
-                mesh.adapt(&mut patches, 2.0, None).unwrap();
+                let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
                 mesh.checksum()
             })
         })
