@@ -40,7 +40,8 @@ struct Settings {
     // of less than 1.3 at alpha = 4.
     double transition = 0.5;
     double least_size = 0.125; // area over wanted area: no smaller face is made where there was none
-    double tolerance = 0.5;    // of the distance to surface or boundary, in wanted edges
+    double size_band = 0;   // log2: faces off by less stay, where a plane mesh has a field "size"; 0: none do
+    double tolerance = 0.5; // of the distance to surface or boundary, in wanted edges
     ChartKind chart = ChartKind::plane_or_circle;
     bool edit_boundary = false;     // vertices come and go on it; chords of curved meshes may end on it
     bool align = false;             // whole curved meshes: edges along the cross field

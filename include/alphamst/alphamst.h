@@ -244,6 +244,7 @@ enum amst_option {
     AMST_OPT_TRANSITION = 1006,    /* real, 0.5: of a patch's depth, over which sizes change, 0.05..1 */
     AMST_OPT_LEAST_SIZE = 1007,    /* real, 0.125: area over wanted area; no smaller face is made, 0..1 */
     AMST_OPT_SHARP_ANGLE = 1008,   /* real, 40.0: degrees; no pair of triangles over a sharper edge, 0..180 */
+    AMST_OPT_SIZE_BAND = 1009,     /* real, 0.0: log2 of area; plane faces off "size" by less stay, 0..8 */
     AMST_OPTION_MAX = 0x7fffffff
 };
 
@@ -791,6 +792,7 @@ AMST_TRY amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   ALIGN           -            A R             -             A R
  *   field "cross"   -            A R             -             A R           with ALIGN only
  *   field "size"    A R          A R             A R           A R
+ *   SIZE_BAND       -            -               A             -             with field "size" only
  *   STRATEGY        -            -               A             A
  *   EDIT_BOUNDARY   A R          S               A R           A R S
  *
@@ -817,6 +819,15 @@ AMST_TRY amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            what amst_mesh_compute_cross_field would give. Edges of a whole mesh turn to it at last.
  *  "size"    The wanted edge length says where the faces go. Without it those of a patch and of a whole mesh
  *            in a plane go where they were, and those of a curved whole mesh where it bends more.
+ *  SIZE_BAND For codes that adapt while they solve: above 0, amst_adapt of a whole plane mesh takes "size"
+ *            at its word, alpha times as dense, and changes only places where log2 of area / wanted area
+ *            is beyond that, and a few layers of faces around them; all others stay bit for bit, and so do
+ *            their fields. .7 suits a front that moves by less than its width. The number of faces wanted
+ *            is what "size" asks of the faces that change. For which length a place was last adapted, or
+ *            found good, is kept in the vertex field "adapted size", which appears: it is taken again only
+ *            if what is wanted there has changed by half of SIZE_BAND, so that an equal call changes
+ *            nothing. Remove the field to have all looked at anew. Size errors in the report are those of
+ *            the places that change. No effect with EDIT_BOUNDARY 1 or STRATEGY 1.
  *  STRATEGY  1: whole chords are removed, the shortest first, or split until no other one can go without
  *            passing the number of faces. No vertex becomes singular. Of the other options only SMOOTH_STEPS
  *            and EDIT_BOUNDARY count, and SIZE_WEIGHT in a plane.

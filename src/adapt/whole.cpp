@@ -11,6 +11,7 @@
 #include "adapt/columns.h"
 #include "adapt/divide.h"
 #include "adapt/layers.h"
+#include "adapt/off_size.h"
 #include "adapt/pieces.h"
 #include "adapt/schedule.h"
 #include "index.h"
@@ -266,6 +267,8 @@ private:
 } // namespace
 
 Outcome adapt_whole(mesh::QuadMesh &mesh, double alpha, const Settings &settings, const Progress &progress) {
+    if (goes_by_band(mesh, settings))
+        return adapt_off_size(mesh, alpha, settings, progress);
     return Rework(mesh, alpha, true, settings, progress).run();
 }
 

@@ -29,11 +29,13 @@ std::vector<std::int32_t> for_fillings(bool curved, bool edits_boundary) {
     return keys;
 }
 
-std::vector<std::int32_t> for_whole_mesh(bool curved, bool edits_boundary) {
+std::vector<std::int32_t> for_whole_mesh(const mesh::QuadMesh &mesh, bool curved, bool edits_boundary) {
     std::vector<std::int32_t> keys = for_fillings(curved, edits_boundary);
     keys.push_back(AMST_OPT_STRATEGY);
     if (curved)
         keys.push_back(AMST_OPT_EDIT_BOUNDARY);
+    else if (!edits_boundary && mesh.field(Entity::vertex, "size") != nullptr)
+        keys.push_back(AMST_OPT_SIZE_BAND);
     return keys;
 }
 
@@ -102,7 +104,7 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
         if (by_chords)
             in_use = for_chords(change.mesh());
         else if (patches == nullptr)
-            in_use = for_whole_mesh(change.curved(), settings.edit_boundary);
+            in_use = for_whole_mesh(change.mesh(), change.curved(), settings.edit_boundary);
         else
             in_use = for_fillings(change.curved(), settings.edit_boundary);
         return change.finish(outcomes, true, in_use, report);

@@ -76,6 +76,7 @@ constexpr Knob<double> reals[] = {
     real<&Options::transition>(AMST_OPT_TRANSITION, "AMST_OPT_TRANSITION", 0.05, 1),
     real<&Options::least_size>(AMST_OPT_LEAST_SIZE, "AMST_OPT_LEAST_SIZE", 0, 1),
     real<&Options::sharp_angle>(AMST_OPT_SHARP_ANGLE, "AMST_OPT_SHARP_ANGLE", 0, 180),
+    real<&Options::size_band>(AMST_OPT_SIZE_BAND, "AMST_OPT_SIZE_BAND", 0, 8),
 };
 
 static_assert(static_cast<int>(quadrangulate::Quadrangulation::pair) == 0 &&
@@ -107,7 +108,8 @@ std::vector<std::int32_t> unused_options(const Options &options, std::span<const
     constexpr std::int32_t of_operations[] = {
         AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT,  AMST_OPT_EDIT_BOUNDARY, AMST_OPT_STRATEGY,
         AMST_OPT_ALIGN,      AMST_OPT_CHART,       AMST_OPT_MIN_QUALITY,   AMST_OPT_TOLERANCE,
-        AMST_OPT_EFFORT,     AMST_OPT_SIZE_WEIGHT, AMST_OPT_TRANSITION,    AMST_OPT_LEAST_SIZE};
+        AMST_OPT_EFFORT,     AMST_OPT_SIZE_WEIGHT, AMST_OPT_TRANSITION,    AMST_OPT_LEAST_SIZE,
+        AMST_OPT_SIZE_BAND};
     const Options defaults;
     std::vector<std::int32_t> unused;
     const auto look = [&](const auto &knobs) {

@@ -128,6 +128,11 @@ std::int32_t marker_of(const std::vector<std::int32_t> &markers, std::size_t i) 
 
 } // namespace
 
+void QuadMesh::refuse_with_journal() const {
+    if (journal)
+        throw Failure(Fault::internal, "a mesh with a journal keeps its chords");
+}
+
 void QuadMesh::check_sizes() const {
     const auto fits = [](const auto &values, std::size_t n) { return values.size() == n; };
     const std::size_t vertices = kernel_.n_vertices(), edges = kernel_.n_edges(), faces = kernel_.n_faces();

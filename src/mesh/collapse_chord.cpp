@@ -164,6 +164,7 @@ void surface_triangle(Kernel &kernel, const std::vector<Out> &outs, const std::v
 
 QuadMesh::Collapsed QuadMesh::collapse_chord(std::span<const int> sides,
                                              std::span<const std::array<int, 2>> merged) {
+    refuse_with_journal();
     check_sizes();
     Gone gone = find_gone(*this, sides, merged);
     const Rails heirs = find_heirs(kernel_, sides, gone);

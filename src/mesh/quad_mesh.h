@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -124,10 +125,21 @@ public:
         std::vector<int> vertices; // ids of the new vertices, in the order of points
         // Renumbered outside the disk, in this order: from the end of the mesh into a gap.
         std::vector<std::array<int, 2>> moved_faces, moved_vertices;
+        int n_faces = 0, n_vertices = 0; // of the mesh after that
     };
     Replaced replace_disk(std::span<const int> faces, std::span<const int> loop,
                           std::span<const std::array<int, 4>> quads, std::span<const OpenMesh::Vec3d> points,
                           std::span<const int> parents = {});
+
+    // What replace_disk was asked for and what it answered, in order, so that it can be done again elsewhere,
+    // see mesh/submesh.h. Empty unless that is wanted; then nothing else may alter connectivity.
+    struct Replacement {
+        std::vector<int> faces, loop, parents;
+        std::vector<std::array<int, 4>> quads;
+        std::vector<OpenMesh::Vec3d> points;
+        Replaced replaced;
+    };
+    std::optional<std::vector<std::shared_ptr<const Replacement>>> journal;
 
     // Removes a chord: merges the ends of each of its edges and glues the two rails of each of its faces
     // to one edge. `sides` are half-edges of its edges in order, each with the next face of the chord on
@@ -188,6 +200,10 @@ private:
     void write_block(Block &block, std::vector<int> &pieces, int &next_face);
     void write_row(const std::vector<int> &vertices, const std::vector<int> &pieces);
     void check_sizes() const;
+    void refuse_with_journal() const;
+    Replaced replace(std::span<const int> faces, std::span<const int> loop,
+                     std::span<const std::array<int, 4>> quads, std::span<const OpenMesh::Vec3d> points,
+                     std::span<const int> parents);
 
     int dim_ = 3;
     Kernel kernel_;

@@ -213,6 +213,20 @@ QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<
                                           std::span<const std::array<int, 4>> quads,
                                           std::span<const OpenMesh::Vec3d> points,
                                           std::span<const int> parents) {
+    if (!journal)
+        return replace(faces, loop, quads, points, parents);
+    const auto list = [](auto ids) { return std::vector(ids.begin(), ids.end()); };
+    auto entry = std::make_shared<Replacement>(
+        Replacement{list(faces), list(loop), list(parents), list(quads), list(points), {}});
+    journal->reserve(journal->size() + 1);
+    entry->replaced = replace(faces, loop, quads, points, parents);
+    journal->push_back(std::move(entry));
+    return journal->back()->replaced;
+}
+
+QuadMesh::Replaced QuadMesh::replace(std::span<const int> faces, std::span<const int> loop,
+                                     std::span<const std::array<int, 4>> quads,
+                                     std::span<const OpenMesh::Vec3d> points, std::span<const int> parents) {
     check_sizes();
     const int n_loop = static_cast<int>(loop.size());
     const auto on_rim = std::count_if(loop.begin(), loop.end(), [](int v) { return v < 0; });
@@ -265,8 +279,12 @@ QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<
             kernel_.set_halfedge_handle(Vertex(vertices[i]), Halfedge(disk.sides[i]));
     rim.link(*this, disk.sides, vertices);
     close_gaps(new_faces, new_edges, new_vertices);
-    return {std::move(new_faces.ids), std::move(new_vertices.ids), std::move(new_faces.moves),
-            std::move(new_vertices.moves)};
+    return {std::move(new_faces.ids),
+            std::move(new_vertices.ids),
+            std::move(new_faces.moves),
+            std::move(new_vertices.moves),
+            n_faces(),
+            n_vertices()};
 }
 
 } // namespace alphamst::mesh

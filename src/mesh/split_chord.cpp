@@ -213,6 +213,7 @@ void QuadMesh::write_block(Block &block, std::vector<int> &pieces, int &next_fac
 }
 
 QuadMesh::Cut QuadMesh::split_chord(std::span<const int> sides, int copies) {
+    refuse_with_journal();
     check_sizes();
     if (copies < 1 || sides.empty())
         refuse("a chord is cut into two at least");

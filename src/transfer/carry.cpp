@@ -310,12 +310,12 @@ bool reconnected(const QuadMesh &before, const QuadMesh &after) {
 }
 
 void carry(const QuadMesh &before, QuadMesh &after, const Progress &progress) {
-    if (before.fields.empty())
+    if (after.fields.empty())
         return;
     const bool connectivity = reconnected(before, after);
     std::optional<Carrier> carrier;
     mesh::Fields fields;
-    for (const std::shared_ptr<const Field> &field : before.fields) {
+    for (const std::shared_ptr<const Field> &field : after.fields) {
         if (field->carry == mesh::Carry::drop && connectivity)
             continue;
         progress(1, "carry");

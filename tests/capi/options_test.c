@@ -37,6 +37,7 @@ static const real_option reals[] = {
     {AMST_OPT_TRANSITION, 0.5, 0.05, 1},
     {AMST_OPT_LEAST_SIZE, 0.125, 0, 1},
     {AMST_OPT_SHARP_ANGLE, 40, 0, 180},
+    {AMST_OPT_SIZE_BAND, 0, 0, 8},
 };
 
 static amst_options *new_options(void) {

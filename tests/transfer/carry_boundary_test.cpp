@@ -110,13 +110,13 @@ TEST(CarryOfEdges, ChordsLeakNothing) {
     int collapsed = 0;
     for (const chord::Row &row : chord::table(mesh, {true})) {
         expect_no_leak(after(mesh, [&](QuadMesh &changed) {
-            chords::split_chord(changed, row.edge, 2, 1 << 20, {true}, {});
+            chords::split_chord(changed, row.edge, 2, 1 << 20, {true}, {}, silent);
         }));
         if (row.reasons != 0)
             continue;
         ++collapsed; // also the outermost, the edges of which come to the boundary
-        expect_no_leak(
-            after(mesh, [&](QuadMesh &changed) { chords::collapse_chord(changed, row.edge, {true}, {}); }));
+        expect_no_leak(after(
+            mesh, [&](QuadMesh &changed) { chords::collapse_chord(changed, row.edge, {true}, {}, silent); }));
     }
     EXPECT_GT(collapsed, 0);
 }

@@ -81,9 +81,9 @@ void edit_chord(QuadMesh &mesh, std::mt19937 &random, const Settings &settings) 
     const QuadMesh before = mesh;
     try {
         if (random() % 2 == 0)
-            chords::collapse_chord(mesh, edge, {}, settings);
+            chords::collapse_chord(mesh, edge, {}, settings, silent);
         else
-            chords::split_chord(mesh, edge, 1, 4000, {true}, settings);
+            chords::split_chord(mesh, edge, 1, 4000, {true}, settings, silent);
     } catch (const Failure &) { // a chord that may not go
         mesh = before;
     }

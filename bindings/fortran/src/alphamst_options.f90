@@ -4,7 +4,7 @@ module alphamst_options
     use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
     use amst_c, only: AMST_OPT_ALIGN, AMST_OPT_CANDIDATES, AMST_OPT_CHART, AMST_OPT_EDIT_BOUNDARY, &
-        AMST_OPT_EFFORT, AMST_OPT_KEEP_BOUNDARY, AMST_OPT_SHARP_ANGLE, &
+        AMST_OPT_EFFORT, AMST_OPT_KEEP_BOUNDARY, AMST_OPT_SHARP_ANGLE, AMST_OPT_SIZE_BAND, &
         AMST_OPT_LEAST_SIZE, AMST_OPT_MIN_CONVEXITY, AMST_OPT_MIN_QUALITY, &
         AMST_OPT_NODE_LIMIT, AMST_OPT_PATCH_FACES, AMST_OPT_QUADRANGULATE, AMST_OPT_REPAIR_PATCHES, &
         AMST_OPT_SEED, AMST_OPT_SIZE_WEIGHT, AMST_OPT_SMOOTH_STEPS, AMST_OPT_STRATEGY, &
@@ -25,7 +25,7 @@ module alphamst_options
         AMST_OPT_CHART, AMST_OPT_KEEP_BOUNDARY]
     integer(int32), parameter :: real_keys(*) = [AMST_OPT_MIN_QUALITY, AMST_OPT_MIN_CONVEXITY, &
         AMST_OPT_PATCH_FACES, AMST_OPT_TOLERANCE, AMST_OPT_EFFORT, AMST_OPT_SIZE_WEIGHT, &
-        AMST_OPT_TRANSITION, AMST_OPT_LEAST_SIZE, AMST_OPT_SHARP_ANGLE]
+        AMST_OPT_TRANSITION, AMST_OPT_LEAST_SIZE, AMST_OPT_SHARP_ANGLE, AMST_OPT_SIZE_BAND]
 
     !> Assignment makes options of their own with the same values.
     type, extends(amst_handle), public :: amst_options

@@ -149,6 +149,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_OPT_TRANSITION = 1006
     integer(c_int32_t), parameter :: AMST_OPT_LEAST_SIZE = 1007
     integer(c_int32_t), parameter :: AMST_OPT_SHARP_ANGLE = 1008
+    integer(c_int32_t), parameter :: AMST_OPT_SIZE_BAND = 1009
     integer(c_int32_t), parameter :: AMST_OPTION_MAX = 2147483647
 
     ! amst_result

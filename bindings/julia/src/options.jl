@@ -9,7 +9,8 @@ const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
                      min_quality = AMST_OPT_MIN_QUALITY, min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES,
                      tolerance = AMST_OPT_TOLERANCE, effort = AMST_OPT_EFFORT,
                      size_weight = AMST_OPT_SIZE_WEIGHT, transition = AMST_OPT_TRANSITION,
-                     least_size = AMST_OPT_LEAST_SIZE, sharp_angle = AMST_OPT_SHARP_ANGLE)
+                     least_size = AMST_OPT_LEAST_SIZE, sharp_angle = AMST_OPT_SHARP_ANGLE,
+                     size_band = AMST_OPT_SIZE_BAND)
 
 # The header's rule for the keys of options and of reports.
 is_real(key::Int32) = key >= 1000

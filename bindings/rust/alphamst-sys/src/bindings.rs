@@ -161,6 +161,7 @@ pub const AMST_OPT_SIZE_WEIGHT: amst_option = 1005;
 pub const AMST_OPT_TRANSITION: amst_option = 1006;
 pub const AMST_OPT_LEAST_SIZE: amst_option = 1007;
 pub const AMST_OPT_SHARP_ANGLE: amst_option = 1008;
+pub const AMST_OPT_SIZE_BAND: amst_option = 1009;
 pub const AMST_OPTION_MAX: amst_option = 2147483647;
 pub type amst_option = ::std::os::raw::c_int;
 pub const AMST_RESULT_INVALID: amst_result = -1;

@@ -56,6 +56,9 @@ enumeration! {
         LeastSize = AMST_OPT_LEAST_SIZE,
         /// Real, 40.0: triangles of a new mesh are not paired over sharper edges, 0 to 180 degrees.
         SharpAngle = AMST_OPT_SHARP_ANGLE,
+        /// Of log2 of areas: in whole plane meshes with a field "size" faces that are off by less stay, and the
+        /// field alone says how many faces there are; 0: all may change.
+        SizeBand = AMST_OPT_SIZE_BAND,
     }
 }
 
@@ -355,6 +358,17 @@ impl Options {
     /// ```
     pub fn sharp_angle(self, degrees: f64) -> Result<Self> {
         self.with_real(OptionKey::SharpAngle, degrees)
+    }
+
+    /// Sets [`OptionKey::SizeBand`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().size_band(0.5)?.get_real(OptionKey::SizeBand)?, 0.5);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn size_band(self, log2_of_area: f64) -> Result<Self> {
+        self.with_real(OptionKey::SizeBand, log2_of_area)
     }
 
     /// Sets an integer, by key or by the number of one that this crate does not know.
