@@ -121,13 +121,20 @@ double adapted_to(const mesh::QuadMesh &mesh, const std::vector<double> *adapted
     return sum / 4;
 }
 
-// Of the whole mesh, as far as it can be told by what has changed.
-void tell(const mesh::QuadMesh &mesh, const Outcome &of_part, Outcome &outcome) {
-    outcome.faces_after = mesh.n_faces();
-    outcome.faces_wanted = outcome.faces_before + of_part.faces_wanted - of_part.faces_before;
-    reference::count(mesh, outcome.valences_after, outcome.singular_after);
-    outcome.quality_after = reference::least_quality(mesh);
-    outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh);
+// Of the whole mesh, by what it says of the faces that may change: the others are looked at once.
+void tell(const Outcome &of_part, Outcome &outcome) {
+    outcome.faces_after += of_part.faces_after - of_part.faces_before;
+    outcome.faces_wanted += of_part.faces_wanted - of_part.faces_before;
+    outcome.singular_after += of_part.singular_after - of_part.singular_before;
+    for (const auto &[valence, count] : of_part.valences_before)
+        outcome.valences_after[valence] -= count;
+    for (const auto &[valence, count] : of_part.valences_after)
+        outcome.valences_after[valence] += count;
+    std::erase_if(outcome.valences_after, [](const auto &entry) { return entry.second == 0; });
+    outcome.quality_before = std::min(outcome.quality_before, of_part.quality_before);
+    outcome.quality_after = std::min(outcome.quality_after, of_part.quality_after);
+    outcome.aspect_ratio_before = std::max(outcome.aspect_ratio_before, of_part.aspect_ratio_before);
+    outcome.aspect_ratio_after = std::max(outcome.aspect_ratio_after, of_part.aspect_ratio_after);
     outcome.size_error_before = of_part.size_error_before;
     outcome.size_error_after = of_part.size_error_after;
     outcome.least_area_before = of_part.least_area_before;
@@ -136,6 +143,24 @@ void tell(const mesh::QuadMesh &mesh, const Outcome &of_part, Outcome &outcome) 
     outcome.shortest_edge_after = of_part.shortest_edge_after;
     outcome.fault = of_part.fault;
     outcome.text = of_part.text;
+}
+
+// What there is, but of quality only that of faces that are not in the list.
+Outcome present(const mesh::QuadMesh &mesh, const std::vector<int> &but) {
+    std::vector<int> others;
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        if (!std::ranges::binary_search(but, f))
+            others.push_back(f);
+    Outcome outcome;
+    outcome.faces_before = outcome.faces_after = outcome.faces_wanted = mesh.n_faces();
+    reference::count(mesh, outcome.valences_before, outcome.singular_before);
+    outcome.valences_after = outcome.valences_before;
+    outcome.singular_after = outcome.singular_before;
+    outcome.quality_before = others.empty() ? 1 : reference::least_quality(mesh, others);
+    outcome.aspect_ratio_before = others.empty() ? 1 : reference::largest_aspect_ratio(mesh, others);
+    outcome.quality_after = outcome.quality_before;
+    outcome.aspect_ratio_after = outcome.aspect_ratio_before;
+    return outcome;
 }
 
 } // namespace
@@ -171,22 +196,16 @@ std::vector<int> faces_off_size(const mesh::QuadMesh &mesh, double alpha, const 
 Outcome adapt_off_size(mesh::QuadMesh &mesh, double alpha, const Settings &settings,
                        const Progress &progress) {
     const auto start = std::chrono::steady_clock::now();
-    Outcome outcome;
-    outcome.faces_before = outcome.faces_after = outcome.faces_wanted = mesh.n_faces();
-    reference::count(mesh, outcome.valences_before, outcome.singular_before);
-    outcome.valences_after = outcome.valences_before;
-    outcome.singular_after = outcome.singular_before;
-    outcome.quality_before = outcome.quality_after = reference::least_quality(mesh);
-    outcome.aspect_ratio_before = outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh);
-    std::vector<int> faces = faces_off_size(mesh, alpha, settings);
-    if (faces.empty())
-        return outcome;
+    const std::vector<int> changing = faces_off_size(mesh, alpha, settings);
+    if (changing.empty())
+        return present(mesh, changing);
     const Wanted wanted(mesh, alpha);
-    remember(mesh, faces, wanted);
+    remember(mesh, changing, wanted);
     // One layer more, which stays: so the vertices at the rim have the valences of the whole.
-    const std::vector<int> changing = faces;
+    std::vector<int> faces = changing;
     add_layer(mesh, faces);
     fill_pinches(mesh, faces);
+    Outcome outcome = present(mesh, faces);
     mesh::Submesh part = mesh::submesh_of(mesh, faces);
     double sum = 0;
     for (std::size_t i = 0; i < faces.size(); ++i)
@@ -202,7 +221,7 @@ Outcome adapt_off_size(mesh::QuadMesh &mesh, double alpha, const Settings &setti
     const Outcome of_part =
         adapt_whole(changed, sum / static_cast<double>(faces.size()), all_of_it, progress);
     mesh::put_back(mesh, part, changed);
-    tell(mesh, of_part, outcome);
+    tell(of_part, outcome);
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;
 }
