@@ -89,13 +89,33 @@ struct Count {
     }
 };
 
+// Whether the corners are listed as those of VTK's pixels, say.
+bool sides_cross(Coordinates points, Faces faces, const std::vector<std::int32_t> &across, std::size_t face) {
+    if (faces[4 * face] < 0 || is_triangle(faces, face))
+        return false;
+    // Two of the sides are diagonals, which no neighbour has.
+    const auto is_free = [&](std::size_t k) { return across[4 * face + k] < 0; };
+    if (!(is_free(0) && is_free(2)) && !(is_free(1) && is_free(3)))
+        return false;
+    const auto point = [&](std::size_t k) {
+        const std::size_t v = 3 * at(faces[4 * face + k]);
+        return OpenMesh::Vec3d(points[v], points[v + 1], points[v + 2]);
+    };
+    const auto normal = [&](std::size_t i, std::size_t j, std::size_t k) {
+        return (point(j) - point(i)) % (point(k) - point(i));
+    };
+    // Of a concave quad one diagonal has triangles that face each other, of a crossing one both have.
+    return (normal(0, 1, 2) | normal(0, 2, 3)) < 0 && (normal(1, 2, 3) | normal(1, 3, 0)) < 0;
+}
+
 class Search {
 public:
     Search(Coordinates points, Faces faces, std::size_t n_vertices, bool triangles)
         : points_(points), kept_(faces.begin(), faces.end()), faces_(kept_), n_vertices_(n_vertices),
           triangles_(triangles) {}
 
-    Failure run() {
+    // Whether there are any but faces that are turned over.
+    bool find_lasting() {
         const bool finite = find_bad_points(), sound = find_bad_corners() && finite;
         sides_ = sort_sides(faces_, n_vertices_);
         across_ = neighbours(faces_, sides_);
@@ -107,10 +127,21 @@ public:
             find_one_sided();
             find_pinched();
         }
-        if (report_.empty())
-            find_turned();
-        return report_.failure();
+        return !report_.empty();
     }
+
+    void find_turned() {
+        Count bad;
+        visit_edges(sides_, [&](std::span<const Side> sides) {
+            if (sides.size() == 2 && runs_down(faces_, sides[0]) == runs_down(faces_, sides[1])) {
+                const std::size_t c = at(sides[0].corner);
+                bad.add({sides[1].corner / 4, sides[0].corner / 4, faces_[c], faces_[next_corner(faces_, c)]});
+            }
+        });
+        report_.tell(turned, bad.n, bad.first);
+    }
+
+    Failure failure() const { return report_.failure(); }
 
 private:
     bool find_bad_points() {
@@ -258,17 +289,6 @@ private:
         return touched;
     }
 
-    void find_turned() {
-        Count bad;
-        visit_edges(sides_, [&](std::span<const Side> sides) {
-            if (sides.size() == 2 && runs_down(faces_, sides[0]) == runs_down(faces_, sides[1])) {
-                const std::size_t c = at(sides[0].corner);
-                bad.add({sides[1].corner / 4, sides[0].corner / 4, faces_[c], faces_[next_corner(faces_, c)]});
-            }
-        });
-        report_.tell(turned, bad.n, bad.first);
-    }
-
     Coordinates points_;
     std::vector<std::int32_t> kept_;
     Faces faces_;
@@ -283,25 +303,15 @@ private:
 } // namespace
 
 Failure find_defects(Coordinates points, Faces faces, std::size_t n_vertices, bool triangles) {
-    return Search(points, faces, n_vertices, triangles).run();
+    Search search(points, faces, n_vertices, triangles);
+    if (!search.find_lasting())
+        search.find_turned();
+    return search.failure();
 }
 
-bool sides_cross(Coordinates points, Faces faces, const std::vector<std::int32_t> &across, std::size_t face) {
-    if (faces[4 * face] < 0 || is_triangle(faces, face))
-        return false;
-    // Two of the sides are diagonals, which no neighbour has.
-    const auto is_free = [&](std::size_t k) { return across[4 * face + k] < 0; };
-    if (!(is_free(0) && is_free(2)) && !(is_free(1) && is_free(3)))
-        return false;
-    const auto point = [&](std::size_t k) {
-        const std::size_t v = 3 * at(faces[4 * face + k]);
-        return OpenMesh::Vec3d(points[v], points[v + 1], points[v + 2]);
-    };
-    const auto normal = [&](std::size_t i, std::size_t j, std::size_t k) {
-        return (point(j) - point(i)) % (point(k) - point(i));
-    };
-    // Of a concave quad one diagonal has triangles that face each other, of a crossing one both have.
-    return (normal(0, 1, 2) | normal(0, 2, 3)) < 0 && (normal(1, 2, 3) | normal(1, 3, 0)) < 0;
+std::optional<Failure> find_lasting_defects(Coordinates points, Faces faces) {
+    Search search(points, faces, points.size() / 3, true);
+    return search.find_lasting() ? std::optional(search.failure()) : std::nullopt;
 }
 
 } // namespace alphamst::mesh

@@ -1,6 +1,8 @@
 // Why arrays are no mesh: all that is wrong with them, for the user to mend at once.
 #pragma once
 
+#include <optional>
+
 #include "failure.h"
 #include "mesh/sides.h"
 
@@ -11,7 +13,7 @@ namespace alphamst::mesh {
 // Triangles only where they are allowed. Slow: for arrays that were found to be wrong.
 Failure find_defects(Coordinates points, Faces faces, std::size_t n_vertices, bool triangles);
 
-// Whether sides of a quad cross: its corners are listed as those of VTK's pixels, say. across: see neighbours.
-bool sides_cross(Coordinates points, Faces faces, const std::vector<std::int32_t> &across, std::size_t face);
+// The same of all that turning faces over does not mend; nothing if that is all.
+std::optional<Failure> find_lasting_defects(Coordinates points, Faces faces);
 
 } // namespace alphamst::mesh

@@ -1,6 +1,6 @@
 #include "mesh/orient.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "index.h"
 #include "mesh/components.h"
@@ -54,21 +54,19 @@ std::vector<bool> wrong_way(int dim, Coordinates points, Faces faces, const Comp
 Oriented orient(int dim, Coordinates points, Faces faces) {
     test_lengths(dim, points, faces);
     test_arrays(points, faces, true);
-    const std::size_t n_vertices = points.size() / 3;
-    const std::vector<std::int32_t> across = neighbours(faces, sort_sides(faces, n_vertices));
+    const std::vector<std::int32_t> across = neighbours(faces, sort_sides(faces, points.size() / 3));
     const bool mixed = runs_both_ways(faces, across);
     if (!mixed && (dim != 2 || !any_clockwise(points, faces)))
         return {};
+    if (mixed)
+        if (const std::optional<Failure> failure = find_lasting_defects(points, faces))
+            throw *failure;
     const Components components = find_components(faces, across);
-    if (std::ranges::any_of(components.one_sided, [](std::int32_t c) { return c >= 0; }))
-        throw find_defects(points, faces, n_vertices, true);
     const std::vector<bool> wrong = wrong_way(dim, points, faces, components);
     Oriented oriented{{faces.begin(), faces.end()}};
     for (std::size_t f = 0; f < faces.size() / 4; ++f) {
         if (components.against[f] == wrong[at(components.of_face[f])])
             continue;
-        if (mixed && sides_cross(points, faces, across, f)) // no face has another side in crossing order
-            throw find_defects(points, faces, n_vertices, true);
         if (oriented.n_turned++ == 0)
             oriented.first_turned = static_cast<std::int64_t>(f);
         std::int32_t *corners = &oriented.faces[4 * f];

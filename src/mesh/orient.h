@@ -12,7 +12,7 @@ struct Oriented {
 
 // In the plane components become counter-clockwise by their whole area, so that a single inverted face stays
 // one; in space as most of their faces are, or the first. The first corner of a face stays the first. Throws
-// as find_defects says where faces run both ways and that is not their only defect.
+// what find_lasting_defects says where faces run both ways.
 Oriented orient(int dim, Coordinates points, Faces faces);
 
 } // namespace alphamst::mesh
