@@ -203,10 +203,12 @@ private:
     std::string why_missing(const std::string &limit) const {
         if (const int lone = mesh::count_lone_faces(mesh_); lone > 1 && lone == mesh_.n_faces())
             return std::to_string(lone) +
-                   " components of one face, whose four edges are boundary and stay, have no room for others; "
+                   " components of one face, whose four edges are boundary and stay, have no room for "
+                   "others; "
                    "if faces lie side by side, make one vertex of those at the same place (weld them) first";
         return "no valid filling with more or fewer was found" + limit +
-               "; the boundary stays, but with AMST_OPT_STRATEGY 1 and AMST_OPT_EDIT_BOUNDARY 1 chords may end "
+               "; the boundary stays, but with AMST_OPT_STRATEGY 1 and AMST_OPT_EDIT_BOUNDARY 1 chords may "
+               "end "
                "on it";
     }
 

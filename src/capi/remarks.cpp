@@ -70,9 +70,8 @@ void say_turned(const Context &context, const char *call, const mesh::Oriented &
 void say_oddities(const Context &context, const char *call, const mesh::QuadMesh &mesh) {
     if (context.log == nullptr || context.log_level < AMST_LOG_WARNING)
         return;
-    for (const std::string &remark :
-         {lone_faces(mesh), hanging_vertices(mesh, context.index_base),
-          edges_without_length(mesh, context.index_base)})
+    for (const std::string &remark : {lone_faces(mesh), hanging_vertices(mesh, context.index_base),
+                                      edges_without_length(mesh, context.index_base)})
         if (!remark.empty())
             context.say(AMST_LOG_WARNING, std::string(call) + ": " + remark);
 }

@@ -137,7 +137,9 @@ private:
         major_ = value == 4 || value == 4.1 ? 4 : 2;
         old_ = groups_.points_have_boxes = value == 4;
         if (major_ == 2 && !(value >= 2 && value < 3))
-            scan_.fail(Fault::unsupported, "MSH " + quoted(version) + " is not read, only 1, 2.x, 4.0 and 4.1: save it as one of these");
+            scan_.fail(Fault::unsupported,
+                       "MSH " + quoted(version) +
+                           " is not read, only 1, 2.x, 4.0 and 4.1: save it as one of these");
         if (scan_.integer() != 0)
             scan_.fail(Fault::unsupported, "binary MSH is not read; save it as ASCII");
         scan_.line();
@@ -244,11 +246,12 @@ private:
                 mesh_.face_marker.push_back(groups.empty() ? 0 : groups[i]);
             }
         } else if (type != point_type) {
-            scan_.fail(Fault::not_quad,
-                       "face {} is of Gmsh's type " + std::to_string(type) +
-                           ", not a triangle or quadrilateral of straight sides; save elements of order 1, and "
-                           "surfaces alone",
-                       Entity::face, {n_faces()});
+            scan_.fail(
+                Fault::not_quad,
+                "face {} is of Gmsh's type " + std::to_string(type) +
+                    ", not a triangle or quadrilateral of straight sides; save elements of order 1, and "
+                    "surfaces alone",
+                Entity::face, {n_faces()});
         } else {
             if (groups.empty()) // any tag will do
                 scan_.integer();

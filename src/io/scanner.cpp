@@ -143,8 +143,9 @@ bool same_word(std::string_view a, std::string_view b) {
 
 void add_vertex(const Scanner &at, Arrays &mesh, double x, double y, double z) {
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-        at.fail(Fault::not_finite, "vertex {} has a coordinate that is infinite or not a number; give it a finite one", Entity::vertex,
-                {static_cast<std::int64_t>(mesh.points.size() / 3)});
+        at.fail(Fault::not_finite,
+                "vertex {} has a coordinate that is infinite or not a number; give it a finite one",
+                Entity::vertex, {static_cast<std::int64_t>(mesh.points.size() / 3)});
     mesh.points.insert(mesh.points.end(), {x, y, z});
 }
 
@@ -154,17 +155,19 @@ std::int32_t corner(const Scanner &at, const Arrays &mesh, std::int64_t vertex, 
         at.fail(Fault::range,
                 "face {} has vertex number " + std::to_string(vertex) + " of the file, which has " +
                     std::to_string(n_vertices) + " vertices counted from " + std::to_string(first_number) +
-                    (vertex == first_number - 1   ? "; correct it, or add 1 to all numbers"
+                    (vertex == first_number - 1            ? "; correct it, or add 1 to all numbers"
                      : vertex == first_number + n_vertices ? "; correct it, or take 1 off all numbers"
-                                                          : "; correct it, or add the vertex"),
+                                                           : "; correct it, or add the vertex"),
                 Entity::face, {static_cast<std::int64_t>(mesh.faces.size() / 4)});
     return static_cast<std::int32_t>(vertex - first_number);
 }
 
 std::size_t need_corners(const Scanner &at, const Arrays &mesh, std::int64_t n) {
     if (n != 3 && n != 4)
-        at.fail(Fault::not_quad, "face {} has " + std::to_string(n) + " corners, not 3 or 4; divide it into triangles or quadrilaterals", Entity::face,
-                {static_cast<std::int64_t>(mesh.faces.size() / 4)});
+        at.fail(Fault::not_quad,
+                "face {} has " + std::to_string(n) +
+                    " corners, not 3 or 4; divide it into triangles or quadrilaterals",
+                Entity::face, {static_cast<std::int64_t>(mesh.faces.size() / 4)});
     return static_cast<std::size_t>(n);
 }
 

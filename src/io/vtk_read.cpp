@@ -258,7 +258,8 @@ private:
                 add_face(cells, i, polygon_cell);
         } else if (same_word(keyword, "TRIANGLE_STRIPS")) {
             if (read_cells().size() > 0)
-                scan_.fail(Fault::not_quad, "face {} is in a strip of triangles; write single triangles", Entity::face, {n_faces()});
+                scan_.fail(Fault::not_quad, "face {} is in a strip of triangles; write single triangles",
+                           Entity::face, {n_faces()});
         } else if (same_word(keyword, "VERTICES")) {
             vertex_cells_ = read_cells();
         } else if (same_word(keyword, "LINES")) {

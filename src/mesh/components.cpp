@@ -5,7 +5,7 @@
 
 namespace alphamst::mesh {
 
-std::vector<std::int32_t> neighbours(Faces faces, const Sides &sides) {
+std::vector<std::int32_t> neighbours(Faces faces, const EdgeSides &sides) {
     std::vector<std::int32_t> across(faces.size(), -1);
     visit_edges(sides, [&](std::span<const Side> edge) {
         if (edge.size() != 2)
@@ -47,7 +47,7 @@ Components find_components(Faces faces, const std::vector<std::int32_t> &across)
 }
 
 // Corners of one vertex are together where an edge joins them.
-std::vector<bool> find_pinched(Faces faces, const Sides &sides, std::size_t n_vertices) {
+std::vector<bool> find_pinched(Faces faces, const EdgeSides &sides, std::size_t n_vertices) {
     DisjointSets fans(faces.size());
     visit_edges(sides, [&](std::span<const Side> edge) {
         const auto ends = [&](const Side &side) {

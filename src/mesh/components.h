@@ -7,7 +7,7 @@
 namespace alphamst::mesh {
 
 // For each corner of the faces the one whose side is the same edge, -1 where an edge has one face or three.
-std::vector<std::int32_t> neighbours(Faces faces, const Sides &sides);
+std::vector<std::int32_t> neighbours(Faces faces, const EdgeSides &sides);
 
 struct Components {
     std::vector<std::int32_t> of_face; // numbered by their first faces; -1: the face has no sides
@@ -20,7 +20,7 @@ struct Components {
 Components find_components(Faces faces, const std::vector<std::int32_t> &across);
 
 // [vertex] whether its faces meet there without sharing edges.
-std::vector<bool> find_pinched(Faces faces, const Sides &sides, std::size_t n_vertices);
+std::vector<bool> find_pinched(Faces faces, const EdgeSides &sides, std::size_t n_vertices);
 
 // Faces that share no edge with another.
 int count_lone_faces(const QuadMesh &mesh);

@@ -39,20 +39,21 @@ constexpr Kind given_twice{Fault::not_manifold, Entity::face, "faces are given t
 constexpr Kind crowded{Fault::not_manifold, Entity::face, "edges have more than two faces",
                        "face {} is the third one at the edge between vertices {} and {}",
                        "split the mesh there, with vertices of their own for the faces beyond"};
-constexpr Kind one_sided{Fault::not_manifold, Entity::face, "surfaces have only one side, as a Moebius strip",
-                         "the surface of face {} has only one side, as a Moebius strip: over the edge between "
-                         "vertices {} and {} one comes back to it from behind",
-                         "cut it along edges from boundary to boundary, with the vertices there given twice"};
-constexpr Kind hangs{Fault::not_manifold, Entity::vertex, "vertices hang in the middle of an edge",
-                     "vertex {} hangs in the middle of the edge between vertices {} and {}, which face {} has",
-                     "make it a corner of faces at both sides: divide the larger face, or join the smaller"};
+constexpr Kind one_sided{
+    Fault::not_manifold, Entity::face, "surfaces have only one side, as a Moebius strip",
+    "the surface of face {} has only one side, as a Moebius strip: over the edge between "
+    "vertices {} and {} one comes back to it from behind",
+    "cut it along edges from boundary to boundary, with the vertices there given twice"};
+constexpr Kind hangs{
+    Fault::not_manifold, Entity::vertex, "vertices hang in the middle of an edge",
+    "vertex {} hangs in the middle of the edge between vertices {} and {}, which face {} has",
+    "make it a corner of faces at both sides: divide the larger face, or join the smaller"};
 constexpr Kind pinched{Fault::not_manifold, Entity::vertex, "vertices have faces without a common edge",
                        "the faces at vertex {} meet there without sharing edges",
                        "give each group of them a vertex of its own"};
-constexpr Kind turned{Fault::not_manifold, Entity::face,
-                      "edges have two faces that run along them the same way",
-                      "faces {} and {} both run from vertex {} to vertex {}",
-                      "reverse the corners of one of them"};
+constexpr Kind turned{
+    Fault::not_manifold, Entity::face, "edges have two faces that run along them the same way",
+    "faces {} and {} both run from vertex {} to vertex {}", "reverse the corners of one of them"};
 
 // The sentences in the order in which they are told.
 class Report {
@@ -135,7 +136,8 @@ public:
         visit_edges(sides_, [&](std::span<const Side> sides) {
             if (sides.size() == 2 && runs_down(faces_, sides[0]) == runs_down(faces_, sides[1])) {
                 const std::size_t c = at(sides[0].corner);
-                bad.add({sides[1].corner / 4, sides[0].corner / 4, faces_[c], faces_[next_corner(faces_, c)]});
+                bad.add(
+                    {sides[1].corner / 4, sides[0].corner / 4, faces_[c], faces_[next_corner(faces_, c)]});
             }
         });
         report_.tell(turned, bad.n, bad.first);
@@ -162,11 +164,11 @@ private:
         for (std::size_t f = 0; f < faces_.size() / 4; ++f) {
             if (has_corners(faces_, f, n_vertices_, triangles_))
                 continue;
-            const auto corners = std::span(kept_).subspan(4 * f, triangles_ && is_triangle(faces_, f) ? 3 : 4);
+            const auto corners =
+                std::span(kept_).subspan(4 * f, triangles_ && is_triangle(faces_, f) ? 3 : 4);
             const auto id = static_cast<std::int64_t>(f);
-            const auto bad = std::ranges::find_if(corners, [&](std::int32_t v) {
-                return v < 0 || at(v) >= n_vertices_;
-            });
+            const auto bad =
+                std::ranges::find_if(corners, [&](std::int32_t v) { return v < 0 || at(v) >= n_vertices_; });
             if (bad != corners.end()) {
                 beyond.add({id, *bad});
             } else {
@@ -243,7 +245,8 @@ private:
                 if (!is_repeated_[at(side.corner) / 4])
                     corners.push_back(side.corner);
             if (corners.size() > 2)
-                bad.add({corners[2] / 4, faces_[at(corners[0])], faces_[next_corner(faces_, at(corners[0]))]});
+                bad.add(
+                    {corners[2] / 4, faces_[at(corners[0])], faces_[next_corner(faces_, at(corners[0]))]});
         });
         report_.tell(crowded, bad.n, bad.first);
     }
@@ -294,7 +297,7 @@ private:
     Faces faces_;
     std::size_t n_vertices_;
     bool triangles_;
-    Sides sides_;
+    EdgeSides sides_;
     std::vector<std::int32_t> across_;
     std::vector<bool> is_repeated_; // [face]
     Report report_;

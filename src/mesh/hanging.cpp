@@ -53,12 +53,16 @@ private:
 
     // The nearest vertex further along, -1 if there is none. The edge itself is no step.
     std::int32_t next(std::int32_t here) const {
+        // Two for each slit at a vertex; where there are more than this, faces do not meet at edges at all.
+        constexpr std::size_t most_edges = 32;
+        const std::span<const Edge> steps(std::ranges::lower_bound(directed_, Edge{here, -1}),
+                                          std::ranges::lower_bound(directed_, Edge{here + 1, -1}));
+        if (steps.size() > most_edges)
+            return -1;
         const double from = here == edge_[0] ? 0 : place(here);
         double nearest = 1;
         std::int32_t found = -1;
-        for (auto step = std::ranges::lower_bound(directed_, Edge{here, -1});
-             step != directed_.end() && (*step)[0] == here; ++step) {
-            const std::int32_t to = (*step)[1];
+        for (const auto &[start, to] : steps) {
             const double t = to == edge_[1] ? 1 : place(to);
             if (t > from && t <= nearest && !(here == edge_[0] && to == edge_[1])) {
                 nearest = t;

@@ -11,7 +11,9 @@ namespace {
 
 // Twice the area in the plane, above 0 for a face that is counter-clockwise.
 double signed_area(Coordinates points, Faces faces, std::size_t face) {
-    const auto x = [&](std::size_t k, std::size_t axis) { return points[3 * at(faces[4 * face + k]) + axis]; };
+    const auto x = [&](std::size_t k, std::size_t axis) {
+        return points[3 * at(faces[4 * face + k]) + axis];
+    };
     const std::size_t last = is_triangle(faces, face) ? 2 : 3; // of a triangle the diagonals are two sides
     return (x(2, 0) - x(0, 0)) * (x(last, 1) - x(1, 1)) - (x(2, 1) - x(0, 1)) * (x(last, 0) - x(1, 0));
 }
@@ -24,11 +26,12 @@ bool any_clockwise(Coordinates points, Faces faces) {
 }
 
 // Whether some edge has two faces that run along it the same way.
-bool runs_both_ways(Faces faces, const std::vector<std::int32_t> &across) {
-    for (std::size_t c = 0; c < faces.size(); ++c)
-        if (across[c] >= 0 && faces[c] == faces[at(across[c])])
-            return true;
-    return false;
+bool runs_both_ways(Faces faces, const EdgeSides &sides) {
+    bool any = false;
+    visit_edges(sides, [&](std::span<const Side> edge) {
+        any = any || (edge.size() == 2 && runs_down(faces, edge[0]) == runs_down(faces, edge[1]));
+    });
+    return any;
 }
 
 // [component] whether its first face is to be turned over.
@@ -54,14 +57,14 @@ std::vector<bool> wrong_way(int dim, Coordinates points, Faces faces, const Comp
 Oriented orient(int dim, Coordinates points, Faces faces) {
     test_lengths(dim, points, faces);
     test_arrays(points, faces, true);
-    const std::vector<std::int32_t> across = neighbours(faces, sort_sides(faces, points.size() / 3));
-    const bool mixed = runs_both_ways(faces, across);
+    const EdgeSides sides = sort_sides(faces, points.size() / 3);
+    const bool mixed = runs_both_ways(faces, sides);
     if (!mixed && (dim != 2 || !any_clockwise(points, faces)))
         return {};
     if (mixed)
         if (const std::optional<Failure> failure = find_lasting_defects(points, faces))
             throw *failure;
-    const Components components = find_components(faces, across);
+    const Components components = find_components(faces, neighbours(faces, sides));
     const std::vector<bool> wrong = wrong_way(dim, points, faces, components);
     Oriented oriented{{faces.begin(), faces.end()}};
     for (std::size_t f = 0; f < faces.size() / 4; ++f) {

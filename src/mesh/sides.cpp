@@ -33,8 +33,8 @@ void test_arrays(Coordinates points, Faces faces, bool triangles) {
 }
 
 // Counting sort by the smaller vertex, then each bucket by the larger one.
-Sides sort_sides(Faces faces, std::size_t n_vertices) {
-    Sides buckets{std::vector<std::int32_t>(n_vertices + 1), {}};
+EdgeSides sort_sides(Faces faces, std::size_t n_vertices) {
+    EdgeSides buckets{std::vector<std::int32_t>(n_vertices + 1), {}};
     auto &end = buckets.end;
     for (std::size_t c = 0; c < faces.size(); ++c)
         if (faces[c] >= 0)

@@ -53,16 +53,16 @@ struct Side {
 };
 
 // Of all faces, in ascending order of their vertices, smaller first, and then of their corners.
-struct Sides {
+struct EdgeSides {
     std::vector<std::int32_t> end; // [smaller vertex], one behind its last side
     std::vector<Side> sides;
 };
 
 // Corners of -1 have no sides.
-Sides sort_sides(Faces faces, std::size_t n_vertices);
+EdgeSides sort_sides(Faces faces, std::size_t n_vertices);
 
 // Calls visit(sides) with those of each edge, in their order.
-template <class Visit> void visit_edges(const Sides &sorted, Visit visit) {
+template <class Visit> void visit_edges(const EdgeSides &sorted, Visit visit) {
     const std::span<const Side> sides = sorted.sides;
     for (std::size_t v = 0, i = 0; v < sorted.end.size(); ++v) {
         const auto end = static_cast<std::size_t>(sorted.end[v]);

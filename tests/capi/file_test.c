@@ -178,7 +178,8 @@ static void a_byte_order_mark_is_passed_over(void **state) {
     const char *const files[][2] = {
         {"capi_mark.off", "\xEF\xBB\xBFOFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"},
         {"capi_mark.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"},
-        {"capi_mark.su2", "\xEF\xBB\xBFNDIME= 2\nNELEM= 1\n9 0 1 2 3\nNPOIN= 4\n0 0\n1 0\n1 1\n0 1\nNMARK= 0\n"},
+        {"capi_mark.su2",
+         "\xEF\xBB\xBFNDIME= 2\nNELEM= 1\n9 0 1 2 3\nNPOIN= 4\n0 0\n1 0\n1 1\n0 1\nNMARK= 0\n"},
     };
     amst_context *ctx = new_context(0);
     amst_mesh *mesh = NULL;

@@ -71,8 +71,9 @@ static void files_too(void **state) {
         assert_true(fputs(files[k][1], file) >= 0);
         assert_int_equal(fclose(file), 0);
         must(amst_mesh_read(ctx, files[k][0], NULL, &mesh));
-        assert_string_equal(heard.text, "amst_mesh_read: 1 of 2 faces ran the other way round and were turned "
-                                        "over, the first of them face 1");
+        assert_string_equal(heard.text,
+                            "amst_mesh_read: 1 of 2 faces ran the other way round and were turned "
+                            "over, the first of them face 1");
         must(amst_mesh_check(mesh));
         amst_mesh_destroy(mesh);
         assert_int_equal(remove(files[k][0]), 0);
@@ -146,9 +147,11 @@ static void one_hanging_vertex_is_a_slit(void **state) {
     /* Without the third row the faces at an end of the edge fall apart. */
     mesh = NULL;
     memcpy(faces + 16, upper, sizeof upper);
-    refused(AMST_ERR_NOT_MANIFOLD, amst_mesh_create(ctx, 2, points, 14, 0, 0, faces, 5, 0, 0, 4, NULL, &mesh));
+    refused(AMST_ERR_NOT_MANIFOLD,
+            amst_mesh_create(ctx, 2, points, 14, 0, 0, faces, 5, 0, 0, 4, NULL, &mesh));
     assert_error_names(AMST_VERTEX, 13);
-    assert_non_null(strstr(amst_last_error(), "vertex 13 hangs in the middle of the edge between vertices 5"));
+    assert_non_null(
+        strstr(amst_last_error(), "vertex 13 hangs in the middle of the edge between vertices 5"));
     assert_null(mesh);
     amst_context_destroy(ctx);
 }
@@ -195,10 +198,11 @@ static void sound_faces_round_a_pole_stay_so(void **state) {
     for (int k = 0; k < 2; ++k) {
         amst_mesh *mesh = NULL;
         heard.warnings = 0;
-        must(amst_mesh_create(ctx, 2, points, (around + 1) * (rings + 1), 0, 0, faces, around * rings, 0, 0, 4,
-                              NULL, &mesh));
+        must(amst_mesh_create(ctx, 2, points, (around + 1) * (rings + 1), 0, 0, faces, around * rings, 0, 0,
+                              4, NULL, &mesh));
         assert_int_equal(heard.warnings, 1);
-        assert_non_null(strstr(heard.text, "12 edges have no length, the first of them between vertices 0 and"));
+        assert_non_null(
+            strstr(heard.text, "12 edges have no length, the first of them between vertices 0 and"));
         const double before = least_sound(mesh);
         must(k == 0 ? amst_smooth(mesh, NULL, NULL, NULL) : amst_adapt(mesh, NULL, 1, NULL, NULL));
         assert_true(least_sound(mesh) >= before - 1e-12);
@@ -209,8 +213,10 @@ static void sound_faces_round_a_pole_stay_so(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faces_are_turned_over_and_counted), cmocka_unit_test(files_too),
-        cmocka_unit_test(components_of_one_face),            cmocka_unit_test(one_hanging_vertex_is_a_slit),
+        cmocka_unit_test(faces_are_turned_over_and_counted),
+        cmocka_unit_test(files_too),
+        cmocka_unit_test(components_of_one_face),
+        cmocka_unit_test(one_hanging_vertex_is_a_slit),
         cmocka_unit_test(sound_faces_round_a_pole_stay_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

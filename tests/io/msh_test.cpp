@@ -67,8 +67,9 @@ TEST(Msh, ReadsVersion40) {
     const std::string entities =
         "$Entities\n2 2 2 0\n1 0 0 0 0 0 0 0\n2 1 0 0 1 0 0 1 3\n1 0 0 0 1 0 0 1 5 2 1 -2\n"
         "2 0 0 0 1 1 0 0 2 1 -1\n1 0 0 0 1 1 0 1 -9 0\n2 0 0 0 1 1 0 0 0\n$EndEntities\n";
-    const std::string nodes = "$Nodes\n2 6\n1 1 1 2\n10 0 0 0 0.25\n3 1 0 0 0.75\n1 2 0 4\n60 1 1 0\n4 0 1 0\n"
-                              "5 2 0 0\n6 2 1 0\n$EndNodes\n";
+    const std::string nodes =
+        "$Nodes\n2 6\n1 1 1 2\n10 0 0 0 0.25\n3 1 0 0 0.75\n1 2 0 4\n60 1 1 0\n4 0 1 0\n"
+        "5 2 0 0\n6 2 1 0\n$EndNodes\n";
     const std::string elements = "$Elements\n5 5\n1 1 1 1\n1 10 3\n2 1 1 1\n2 3 5\n2 0 15 1\n5 3\n1 2 3 1\n"
                                  "3 10 3 60 4\n2 2 3 1\n4 3 5 6 60\n$EndElements\n";
     const Arrays mesh = parse_msh(head + entities + nodes + elements);

@@ -14,7 +14,7 @@ Components components_of(const Grid &grid) {
 
 TEST(Components, AreNumberedByTheirFirstFaces) {
     Grid grid = plane(5, 1);
-    grid.faces.erase(grid.faces.begin() + 4, grid.faces.begin() + 8);   // the second
+    grid.faces.erase(grid.faces.begin() + 4, grid.faces.begin() + 8);        // the second
     std::rotate(grid.faces.begin(), grid.faces.end() - 4, grid.faces.end()); // the last comes first
     const Components components = components_of(grid);
     EXPECT_EQ(components.of_face, (std::vector<std::int32_t>{0, 1, 0, 0}));

@@ -23,11 +23,12 @@ TEST(Defects, AreAllToldWithCounts) {
     const Failure failure = defects(grid);
     EXPECT_EQ(failure.fault, Fault::not_finite);
     EXPECT_EQ(failure.entity, Entity::vertex);
-    EXPECT_EQ(failure.text,
-              "2 vertices have coordinates that are infinite or not numbers; the first: vertex {} has a "
-              "coordinate that is infinite or not a number; give finite ones. Besides, face {} has corner {}, "
-              "but the mesh has 16 vertices; correct the corner or add the vertex. Besides, face {} has vertex "
-              "{} at two corners; give it three or four different corners, or leave it out");
+    EXPECT_EQ(
+        failure.text,
+        "2 vertices have coordinates that are infinite or not numbers; the first: vertex {} has a "
+        "coordinate that is infinite or not a number; give finite ones. Besides, face {} has corner {}, "
+        "but the mesh has 16 vertices; correct the corner or add the vertex. Besides, face {} has vertex "
+        "{} at two corners; give it three or four different corners, or leave it out");
     EXPECT_EQ(failure.ids, (Ids{3, 8, 16, 7, 14}));
 }
 

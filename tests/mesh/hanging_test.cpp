@@ -32,5 +32,16 @@ TEST(Hanging, NotBesideItNorHalfTheWay) {
     EXPECT_TRUE(vertices({0, 0, 0, 0, 0, 0, 1, 0, 0}, {{0, 1}, {1, 2}, {2, 0}}).empty());
 }
 
+// A vertex of very many edges must not cost the square of their number.
+TEST(Hanging, NotAtAHub) {
+    Edges edges;
+    std::vector<double> hub{0, 0, 0};
+    for (int i = 1; i <= 100000; ++i) {
+        hub.insert(hub.end(), {1.0 * i, 0, 0});
+        edges.push_back({0, i});
+    }
+    EXPECT_TRUE(find_hanging(hub, edges).empty());
+}
+
 } // namespace
 } // namespace alphamst::mesh
