@@ -102,7 +102,7 @@ enum amst_status_code {
     AMST_ERR_GEOMETRY = -18,    /* no filling could be given a valid shape; patch as before */
     AMST_ERR_PROJECTION = -20,  /* the projection of the boundary failed; mesh as before the call */
     AMST_ERR_CHORD = -19,       /* chord cannot be collapsed or split, see amst_refusal */
-    AMST_ERR_NOT_MANIFOLD = -7, /* edge with 3+ faces, or unorientable */
+    AMST_ERR_NOT_MANIFOLD = -7, /* edge of 3+ faces, one side only, or faces that meet in a vertex alone */
     AMST_ERR_NOT_QUAD = -6,     /* face without 3 or 4 distinct corners */
     AMST_ERR_NOT_FINITE = -5,   /* NaN or infinity in the input */
     AMST_ERR_BUFFER_TOO_SMALL = -4,
@@ -407,6 +407,11 @@ AMST_TRY amst_status amst_options_get_edges(const amst_options *options, amst_id
  *     as by 1, and so is a closed surface where nothing can be paired, such as a tetrahedron.
  *  1  Every edge gets a vertex at its midpoint and every face one inside: three quads of
  *     a triangle, four of a quad.
+ * Faces that run another way round than their neighbours are turned over: in the plane (dim 2) components
+ * become counter-clockwise, in space they run as most of their faces do, or the first. Ids stay, and the
+ * first corner of a face stays its first. AMST_LOG_WARNING tells how many, and of what mostly is a mistake:
+ * components of one face, vertices that hang in the middle of an edge, edges without length. A refusal names
+ * the first of each kind of defect, and says how many there are.
  * Errors: ARGUMENT (dim, stride, corners_per_face; a boundary that cannot be kept), RANGE (corner
  * id, count, coordinate), NOT_FOUND (an edge of the options is no side of a face), NOT_FINITE, NOT_QUAD,
  * NOT_MANIFOLD;
@@ -422,20 +427,20 @@ AMST_TRY amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
                                           const int64_t *faces, int64_t n_faces, int64_t face_stride,
                                           int64_t corner_stride, int32_t corners_per_face,
                                           const amst_options *options, amst_mesh **out);
-/* Format by extension: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII, also of partitioned meshes) .su2 .vtk
- * (legacy); path is UTF-8. dim is 2 when every z is 0. Triangles become quads as in amst_mesh_create; none is
- * merged with one of another region or over an edge with a marker, the halves of such an edge keep its
- * marker, and vertices with a marker keep their faces.
+/* Format by extension: .off .obj .ply .msh (Gmsh 1, 2.2, 4.0, 4.1 ASCII, also of partitioned meshes) .su2
+ * .vtk (legacy); path is UTF-8. dim is 2 when every z is 0. Triangles become quads as in amst_mesh_create;
+ * none is merged with one of another region or over an edge with a marker, the halves of such an edge keep
+ * its marker, and vertices with a marker keep their faces.
  *  .msh  Markers of points, edges and faces are the numbers of physical groups, whose names are kept. Of
  *        several groups the smallest number counts, and AMST_LOG_WARNING tells. If no line is in a
  *        group, edges have the numbers of their curves.
  *  .su2  The boundaries get the markers 1, 2, ... in the order of the file, and their tags as names.
- *        Clockwise faces are turned over.
  *  .vtk  Markers of faces, lines and vertex cells are the first of these data of cells that is there, in
  *        whole numbers: "marker", "gmsh:physical", "medit:ref", "cell_tags", "MaterialIds", "RegionId",
  *        "CellEntityIds", the last not of vertex cells.
  * A line with a marker that is no edge of a face is left out, and so is a point that no face has.
- * AMST_LOG_WARNING tells, and the result is AMST_PARTIAL, unless it was the number of a curve.
+ * AMST_LOG_WARNING tells, and the result is AMST_PARTIAL, unless it was the number of a curve. A byte-order
+ * mark of UTF-8 is passed over.
  * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of amst_mesh_create. */
 AMST_TRY amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                                     amst_mesh **out);

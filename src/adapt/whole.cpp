@@ -15,6 +15,7 @@
 #include "adapt/pieces.h"
 #include "adapt/schedule.h"
 #include "index.h"
+#include "mesh/components.h"
 #include "reference/feature_line.h"
 #include "reference/size_error.h"
 #include "reference/statistics.h"
@@ -196,11 +197,20 @@ private:
             by_regions(outcome);
         if (missing(outcome) != 0)
             outcome.text = "the mesh has " + std::to_string(outcome.faces_after) + " faces where " +
-                           std::to_string(outcome.faces_wanted) +
-                           " were wanted; no valid filling with more or fewer was found" + limit +
-                           "; the boundary stays, but with AMST_OPT_STRATEGY 1 and AMST_OPT_EDIT_BOUNDARY "
-                           "1 chords may end on it";
+                           std::to_string(outcome.faces_wanted) + " were wanted; " + why_missing(limit);
         return outcome;
+    }
+
+    std::string why_missing(const std::string &limit) const {
+        if (const int lone = mesh::count_lone_faces(mesh_); lone > 1 && lone == mesh_.n_faces())
+            return std::to_string(lone) +
+                   " components of one face, whose four edges are boundary and stay, have no room for "
+                   "others; "
+                   "if faces lie side by side, make one vertex of those at the same place (weld them) first";
+        return "no valid filling with more or fewer was found" + limit +
+               "; the boundary stays, but with AMST_OPT_STRATEGY 1 and AMST_OPT_EDIT_BOUNDARY 1 chords may "
+               "end "
+               "on it";
     }
 
     // From what windows came to.

@@ -8,10 +8,12 @@
 #include "capi/handles.h"
 #include "capi/limits.h"
 #include "capi/options.h"
+#include "capi/remarks.h"
 #include "capi/triangles.h"
 #include "draw/svg.h"
 #include "io/arrays.h"
 #include "io/scanner.h"
+#include "mesh/orient.h"
 #include "patch/window.h"
 
 namespace alphamst::capi {
@@ -152,11 +154,18 @@ amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_optio
         required(path, "path");
         amst_mesh *&created = required(out, "out");
         EdgeChanges changes;
-        const io::Arrays arrays = all_quad(*context, io::read(path), options_of(options), changes);
+        io::Arrays given = io::read(path);
+        const auto n_given = static_cast<std::int64_t>(given.faces.size() / 4);
+        const mesh::Oriented oriented = mesh::orient(given.dim, given.points, given.faces);
+        if (!oriented.faces.empty())
+            given.faces = oriented.faces;
+        const io::Arrays arrays = all_quad(*context, std::move(given), options_of(options), changes);
         std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(mesh_of(arrays)));
         auto made = std::make_shared<Mesh>(context, std::move(mesh));
         made->at_creation = std::move(changes);
         say_all(*context, "amst_mesh_read", arrays.remarks);
+        say_turned(*context, "amst_mesh_read", oriented, n_given);
+        say_oddities(*context, "amst_mesh_read", *made->current);
         created = new amst_mesh{std::move(made)};
         if (arrays.left_out.empty())
             return amst_status{AMST_OK};

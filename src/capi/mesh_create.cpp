@@ -7,7 +7,9 @@
 #include "capi/handles.h"
 #include "capi/limits.h"
 #include "capi/options.h"
+#include "capi/remarks.h"
 #include "capi/triangles.h"
+#include "mesh/orient.h"
 
 namespace alphamst::capi {
 namespace {
@@ -51,9 +53,9 @@ std::span<const double> points_of(const Strided<double> &coords, std::vector<dou
     return kept;
 }
 
-// Rows of four, the last corner of a triangle being -1.
+// Rows of four, the last corner of a triangle being -1. Corners that are no vertices stay such.
 template <typename Id>
-std::span<const std::int32_t> faces_of(const Strided<Id> &corners, int index_base, std::int64_t n_vertices,
+std::span<const std::int32_t> faces_of(const Strided<Id> &corners, int index_base,
                                        std::vector<std::int32_t> &kept) {
     if constexpr (std::is_same_v<Id, std::int32_t>)
         if (index_base == 0 && corners.columns == 4 && corners.packed())
@@ -63,11 +65,11 @@ std::span<const std::int32_t> faces_of(const Strided<Id> &corners, int index_bas
         std::int32_t *to = kept.data() + 4 * f;
         for (int c = 0; c < corners.columns; ++c) {
             const std::int64_t id = corners(f, c);
-            const bool none = c == 3 && id == index_base - 1;
-            if (!none && (id < index_base || id - index_base >= n_vertices))
+            using Limits = std::numeric_limits<std::int32_t>;
+            if (id < Limits::min() + 1 || id > Limits::max())
                 throw Failure(Fault::range,
-                              "face {} has a corner " + std::to_string(id) +
-                                  ", which is no vertex: there are " + std::to_string(n_vertices),
+                              "face {} has corner " + std::to_string(id) +
+                                  ", which does not fit in 32 bits; correct the corner",
                               Entity::face, {f});
             *to++ = static_cast<std::int32_t>(id - index_base);
         }
@@ -91,7 +93,7 @@ void create(amst_context *ctx, std::int32_t dim, const double *coords, std::int6
             std::int64_t vertex_stride, std::int64_t component_stride, const Id *faces, std::int64_t n_faces,
             std::int64_t face_stride, std::int64_t corner_stride, std::int32_t corners_per_face,
             const amst_options *options, amst_mesh **out) {
-    const std::shared_ptr<Context> &context = required(ctx, "ctx").impl;
+    const std::shared_ptr<Context> context = required(ctx, "ctx").impl; // whatever a callback destroys
     amst_mesh *&created = required(out, "out");
     require_array(coords, n_vertices, "coords", "n_vertices");
     require_array(faces, n_faces, "faces", "n_faces");
@@ -107,13 +109,18 @@ void create(amst_context *ctx, std::int32_t dim, const double *coords, std::int6
         strided(faces, n_faces, corners_per_face, face_stride, corner_stride, "face_stride", "corner_stride");
     std::vector<double> kept_points;
     std::vector<std::int32_t> kept_faces;
+    const auto given_points = points_of(points, kept_points);
+    const auto given_faces = faces_of(corners, context->index_base, kept_faces);
+    const mesh::Oriented oriented = mesh::orient(dim, given_points, given_faces);
     EdgeChanges changes;
     // Built in place: the kernel has no move constructor.
     std::shared_ptr<mesh::QuadMesh> mesh(new mesh::QuadMesh(
-        build(*context, dim, points_of(points, kept_points),
-              faces_of(corners, context->index_base, n_vertices, kept_faces), options_of(options), changes)));
+        build(*context, dim, given_points, oriented.faces.empty() ? given_faces : oriented.faces,
+              options_of(options), changes)));
     auto made = std::make_shared<Mesh>(context, std::move(mesh));
     made->at_creation = std::move(changes);
+    say_turned(*context, "amst_mesh_create", oriented, corners.rows);
+    say_oddities(*context, "amst_mesh_create", *made->current);
     created = new amst_mesh{std::move(made)};
 }
 

@@ -42,7 +42,8 @@ const Format &find(std::string_view path, const char *known) {
     for (const Format &format : formats)
         if (same_word(extension(path), format.extension))
             return format;
-    throw Failure(Fault::unsupported, "the extension " + quoted(extension(path)) + " is not one of " + known);
+    throw Failure(Fault::unsupported, "the extension " + quoted(extension(path)) + " is not one of " + known +
+                                          "; convert the mesh to one of these formats");
 }
 
 // What the writers rely on.
@@ -94,7 +95,13 @@ std::vector<std::string> left_out(const Format &format, const Arrays &mesh) {
 
 Arrays read(const std::string &path) {
     const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk");
-    return format.parse(load(path));
+    const std::string bytes = load(path);
+    std::string_view text = bytes;
+    if (constexpr std::string_view mark = "\xef\xbb\xbf"; text.starts_with(mark)) // of UTF-8
+        text.remove_prefix(mark.size());
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw Failure(Fault::unsupported, "the file is text in UTF-16; save it in UTF-8");
+    return format.parse(text);
 }
 
 std::vector<std::string> write(const std::string &path, const Arrays &mesh) {

@@ -1,4 +1,4 @@
-// Gmsh's MSH (Geuzaine and Remacle 2009): reads 1, 2.x and 4.1, ASCII; writes 2.2,
+// Gmsh's MSH (Geuzaine and Remacle 2009): reads 1, 2.x, 4.0 and 4.1, ASCII; writes 2.2,
 // which every program that reads MSH still reads. Lines become marked edges, points
 // marked points. A marker is the physical tag; lines have the tags of their curves if
 // none has another one, so that outlines of a model without physical groups
@@ -129,16 +129,19 @@ private:
         }
         const std::string_view first = scan_.word();
         if (first != "$MeshFormat")
-            scan_.malformed("found " + quoted(first) + " in place of $MeshFormat");
+            scan_.malformed("found " + quoted(first) + " in place of $MeshFormat: this is no mesh of Gmsh");
         const std::string_view version = scan_.word();
         double value = 0;
         if (parse(version, value) != Parsed::number)
             scan_.malformed("found " + quoted(version) + " in place of a version");
-        major_ = value == 4.1 ? 4 : 2;
+        major_ = value == 4 || value == 4.1 ? 4 : 2;
+        old_ = groups_.points_have_boxes = value == 4;
         if (major_ == 2 && !(value >= 2 && value < 3))
-            scan_.fail(Fault::unsupported, "MSH " + quoted(version) + " is not read, only 1, 2.x and 4.1");
+            scan_.fail(Fault::unsupported,
+                       "MSH " + quoted(version) +
+                           " is not read, only 1, 2.x, 4.0 and 4.1: save it as one of these");
         if (scan_.integer() != 0)
-            scan_.fail(Fault::unsupported, "binary MSH is not read");
+            scan_.fail(Fault::unsupported, "binary MSH is not read; save it as ASCII");
         scan_.line();
         expect_word("$EndMeshFormat");
     }
@@ -195,9 +198,11 @@ private:
             for (int skipped = 0; skipped < 3; ++skipped) // dimension, entity, parametric
                 scan_.integer();
             const std::int64_t size = scan_.count("nodes", 8);
-            for (std::int64_t i = 0; i < size; ++i)
+            for (std::int64_t i = 0; i < size && !old_; ++i)
                 numbering_.add(scan_.integer());
             for (std::int64_t i = 0; i < size; ++i) {
+                if (old_) // each in front of its coordinates
+                    numbering_.add(scan_.integer());
                 const double x = scan_.real(), y = scan_.real(), z = scan_.real();
                 add_node(x, y, z);
                 scan_.line(); // parameters on the curve or surface may follow
@@ -241,10 +246,12 @@ private:
                 mesh_.face_marker.push_back(groups.empty() ? 0 : groups[i]);
             }
         } else if (type != point_type) {
-            scan_.fail(Fault::not_quad,
-                       "face {} is of Gmsh's type " + std::to_string(type) +
-                           ", not a triangle or quadrilateral of straight sides",
-                       Entity::face, {n_faces()});
+            scan_.fail(
+                Fault::not_quad,
+                "face {} is of Gmsh's type " + std::to_string(type) +
+                    ", not a triangle or quadrilateral of straight sides; save elements of order 1, and "
+                    "surfaces alone",
+                Entity::face, {n_faces()});
         } else {
             if (groups.empty()) // any tag will do
                 scan_.integer();
@@ -302,7 +309,10 @@ private:
         scan_.line();
         std::int64_t n_read = 0;
         for (std::int64_t block = 0; block < n_blocks; ++block) {
-            const std::int64_t dim = scan_.integer(), entity = scan_.integer(), type = scan_.integer();
+            std::int64_t dim = scan_.integer(), entity = scan_.integer();
+            if (old_)
+                std::swap(dim, entity);
+            const std::int64_t type = scan_.integer();
             const std::int64_t size = scan_.count("elements", 4);
             const std::vector<std::int32_t> groups = groups_.of(dim, entity);
             const std::int64_t curve = groups_.whole_curve(entity);
@@ -323,7 +333,8 @@ private:
     }
 
     Scanner scan_;
-    int major_ = 2; // version
+    int major_ = 2;    // version
+    bool old_ = false; // 4.0
     bool nodes_ = false, elements_ = false;
     Numbering numbering_;
     PhysicalGroups groups_;

@@ -43,7 +43,7 @@ void PhysicalGroups::read_names(Scanner &scan) {
 
 // Behind the coordinates, or those of the box; the rest of the line is passed over.
 std::vector<std::int32_t> PhysicalGroups::read_groups(Scanner &scan, int dim) {
-    for (int k = dim == 0 ? 3 : 6; k > 0; --k)
+    for (int k = dim == 0 && !points_have_boxes ? 3 : 6; k > 0; --k)
         scan.real();
     std::vector<std::int32_t> groups;
     const std::int64_t n = scan.count("physical tags", 2);

@@ -15,8 +15,10 @@ namespace alphamst::io {
 class PhysicalGroups {
 public:
     void read_names(Scanner &scan);
-    void read_entities(Scanner &scan);   // of MSH 4.1
-    void read_partitions(Scanner &scan); // of MSH 4.1: parts of those entities, and borders between them
+    void read_entities(Scanner &scan);   // of MSH 4
+    void read_partitions(Scanner &scan); // of MSH 4: parts of those entities, and borders between them
+
+    bool points_have_boxes = false; // in version 4.0, as other entities have; later they have coordinates
 
     // Of points, lines and faces. Of a partitioned mesh without those that Gmsh makes up for its parts.
     Names names() const;

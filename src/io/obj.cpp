@@ -71,7 +71,7 @@ Arrays parse_obj(std::string_view bytes) {
             throw Failure(Fault::range,
                           "face {} has vertex number " + std::to_string(std::int64_t{mesh.faces[i]} + 1) +
                               " of the file, which has " + std::to_string(n_vertices) +
-                              " vertices counted from 1",
+                              " vertices counted from 1; correct it, or add the vertex",
                           Entity::face, {static_cast<std::int64_t>(i / 4)});
     return finished(std::move(mesh));
 }

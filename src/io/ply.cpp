@@ -236,8 +236,8 @@ Arrays parse_ply(std::string_view bytes) {
         else if (element.name == "face")
             read_faces(scan, values, element, n_vertices, mesh);
         else if (element.name == "tristrips" && element.count > 0)
-            scan.fail(Fault::not_quad, "face {} is in a strip of triangles", Entity::face,
-                      {static_cast<std::int64_t>(mesh.faces.size() / 4)});
+            scan.fail(Fault::not_quad, "face {} is in a strip of triangles; write single triangles",
+                      Entity::face, {static_cast<std::int64_t>(mesh.faces.size() / 4)});
         else
             for (std::int64_t i = 0; i < element.count; ++i)
                 for (const Property &property : element.properties)

@@ -50,7 +50,7 @@ std::string_view Scanner::word() {
     const bool none = at_end();
     word_ = here_;
     if (none)
-        malformed("the file ends too early");
+        malformed("the file ends too early; it is empty or was cut off");
     while (here_ < text_.size() && !blank(text_[here_]) && !ends_line(text_[here_]) &&
            (comment_ == '\0' || text_[here_] != comment_) &&
            !(continues_ && (ahead("\\\n") || ahead("\\\r\n"))))
@@ -106,7 +106,8 @@ void Scanner::expect(std::int64_t n, std::string_view things, std::size_t least)
         malformed(promise + " cannot be");
     // The last thing may lack its line end, hence the 1.
     if (static_cast<std::uint64_t>(n) > (remaining() + 1) / least)
-        malformed(promise + " are promised, but only " + std::to_string(remaining()) + " bytes follow");
+        malformed(promise + " are promised, but only " + std::to_string(remaining()) +
+                  " bytes follow: the file is cut off, or the number is wrong");
     if (n > std::numeric_limits<std::int32_t>::max())
         fail(Fault::unsupported, promise + " are more than 32-bit numbers can name");
 }
@@ -115,7 +116,7 @@ std::string_view Scanner::take(std::size_t bytes) {
     binary_ = true;
     word_ = here_;
     if (bytes > remaining())
-        malformed("the file ends too early");
+        malformed("the file ends too early; it is empty or was cut off");
     here_ += bytes;
     return text_.substr(word_, bytes);
 }
@@ -142,8 +143,9 @@ bool same_word(std::string_view a, std::string_view b) {
 
 void add_vertex(const Scanner &at, Arrays &mesh, double x, double y, double z) {
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
-        at.fail(Fault::not_finite, "a coordinate of vertex {} is not finite", Entity::vertex,
-                {static_cast<std::int64_t>(mesh.points.size() / 3)});
+        at.fail(Fault::not_finite,
+                "vertex {} has a coordinate that is infinite or not a number; give it a finite one",
+                Entity::vertex, {static_cast<std::int64_t>(mesh.points.size() / 3)});
     mesh.points.insert(mesh.points.end(), {x, y, z});
 }
 
@@ -152,15 +154,20 @@ std::int32_t corner(const Scanner &at, const Arrays &mesh, std::int64_t vertex, 
     if (vertex < first_number || vertex - first_number >= n_vertices)
         at.fail(Fault::range,
                 "face {} has vertex number " + std::to_string(vertex) + " of the file, which has " +
-                    std::to_string(n_vertices) + " vertices counted from " + std::to_string(first_number),
+                    std::to_string(n_vertices) + " vertices counted from " + std::to_string(first_number) +
+                    (vertex == first_number - 1            ? "; correct it, or add 1 to all numbers"
+                     : vertex == first_number + n_vertices ? "; correct it, or take 1 off all numbers"
+                                                           : "; correct it, or add the vertex"),
                 Entity::face, {static_cast<std::int64_t>(mesh.faces.size() / 4)});
     return static_cast<std::int32_t>(vertex - first_number);
 }
 
 std::size_t need_corners(const Scanner &at, const Arrays &mesh, std::int64_t n) {
     if (n != 3 && n != 4)
-        at.fail(Fault::not_quad, "face {} has " + std::to_string(n) + " corners, not 3 or 4", Entity::face,
-                {static_cast<std::int64_t>(mesh.faces.size() / 4)});
+        at.fail(Fault::not_quad,
+                "face {} has " + std::to_string(n) +
+                    " corners, not 3 or 4; divide it into triangles or quadrilaterals",
+                Entity::face, {static_cast<std::int64_t>(mesh.faces.size() / 4)});
     return static_cast<std::size_t>(n);
 }
 

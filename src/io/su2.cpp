@@ -3,7 +3,7 @@
 // on lines of their own. The k-th marker is the number k of its edges, its tag the name
 // of that. Points and elements are numbered by their order from 0, as SU2 itself does;
 // numbers at the ends of their lines are passed over, and so are keywords that are not
-// of the mesh, with what follows them. In the plane clockwise elements are inverted.
+// of the mesh, with what follows them.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -35,8 +35,6 @@ public:
         find_sections();
         read_points(*points_);
         read_elements(*elements_);
-        if (*dim_ == 2)
-            turn_clockwise_faces();
         for (const Section &marker : markers_)
             read_marker(marker);
         settle_markers(mesh_, [](std::int32_t vertex) { return vertex; });
@@ -81,8 +79,6 @@ private:
             tag_ = value;
         else if (same_word(keyword, "MARKER_ELEMS"))
             add_marker(value);
-        else if (same_word(keyword, "SEND_RECV") && !markers_.empty()) // of old: within a marker
-            markers_.back().scan = scan_;
         else if (same_word(keyword, "NZONE") && whole(value) != 1)
             scan_.fail(Fault::unsupported, "a file of " + quoted(value) + " zones is not read, only of one");
         if (dim_ && *dim_ != 2 && *dim_ != 3)
@@ -130,7 +126,8 @@ private:
             if (type != triangle_cell && type != quad_cell)
                 scan.fail(Fault::not_quad,
                           "face {} is of VTK's type " + std::to_string(type) +
-                              ", not a triangle or quadrilateral",
+                              ", not a triangle or quadrilateral; leave such elements out, or write their "
+                              "surface",
                           Entity::face, {i});
             std::int32_t face[4] = {-1, -1, -1, -1};
             for (std::size_t k = 0; k < (type == triangle_cell ? 3 : 4); ++k)
@@ -144,6 +141,7 @@ private:
     void read_marker(Section section) {
         Scanner &scan = section.scan;
         const auto number = static_cast<std::int32_t>(++n_markers_read_);
+        skip_destination(scan, number);
         scan.expect(section.size, "elements of a marker", 4);
         for (std::int64_t i = 0; i < section.size; ++i) {
             const std::int64_t type = scan.integer();
@@ -159,19 +157,17 @@ private:
         end_section(section, "elements of a marker");
     }
 
-    // SU2 itself corrects the orientation of elements, so files mix both.
-    void turn_clockwise_faces() {
-        const auto at = [&](std::int32_t v, std::size_t k) {
-            return mesh_.points[3 * static_cast<std::size_t>(v) + k];
-        };
-        for (std::size_t f = 0; f + 3 < mesh_.faces.size(); f += 4) {
-            std::int32_t *q = mesh_.faces.data() + f;
-            std::int32_t &last = q[3] < 0 ? q[2] : q[3]; // of a triangle the diagonals are two sides
-            const double twice = (at(q[2], 0) - at(q[0], 0)) * (at(last, 1) - at(q[1], 1)) -
-                                 (at(q[2], 1) - at(q[0], 1)) * (at(last, 0) - at(q[1], 0));
-            if (twice < 0)
-                std::swap(q[1], last);
-        }
+    // Of old, the other side of a periodic boundary or the part of a mesh that has it stands there.
+    void skip_destination(Scanner &scan, std::int32_t marker) {
+        Scanner ahead = scan;
+        if (ahead.at_end())
+            return;
+        const std::string_view line = ahead.line(), word = first_word(line.substr(0, line.find('=')));
+        if (!same_word(word, "SEND_RECV") && !same_word(word, "SEND_TO"))
+            return;
+        scan = ahead;
+        mesh_.remarks.push_back("marker " + std::to_string(marker) + " has " + std::string(word) +
+                                "=, which is not kept");
     }
 
     std::int32_t end_of_line_cell(Scanner &scan) {

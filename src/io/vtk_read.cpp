@@ -258,7 +258,8 @@ private:
                 add_face(cells, i, polygon_cell);
         } else if (same_word(keyword, "TRIANGLE_STRIPS")) {
             if (read_cells().size() > 0)
-                scan_.fail(Fault::not_quad, "face {} is in a strip of triangles", Entity::face, {n_faces()});
+                scan_.fail(Fault::not_quad, "face {} is in a strip of triangles; write single triangles",
+                           Entity::face, {n_faces()});
         } else if (same_word(keyword, "VERTICES")) {
             vertex_cells_ = read_cells();
         } else if (same_word(keyword, "LINES")) {
@@ -285,7 +286,7 @@ private:
         else
             scan_.fail(Fault::not_quad,
                        "face {} is of VTK's cell type " + std::to_string(type) +
-                           ", not a triangle or quadrilateral",
+                           ", not a triangle or quadrilateral; leave such cells out, or write their surface",
                        Entity::face, {n_faces()});
         if (const std::int64_t wanted = type == triangle_cell ? 3 : type == polygon_cell ? n : 4; n != wanted)
             scan_.malformed("a cell of type " + std::to_string(type) + " has " + std::to_string(n) +

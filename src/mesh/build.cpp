@@ -3,6 +3,7 @@
 // is found before the kernel is filled, and the kernel is filled in one sweep.
 #include <algorithm>
 
+#include "mesh/defects.h"
 #include "mesh/link.h"
 #include "mesh/sides.h"
 
@@ -10,16 +11,9 @@ namespace alphamst::mesh {
 
 namespace {
 
-[[noreturn]] void refuse_vertex(int v) {
-    throw Failure(
-        Fault::not_manifold,
-        "the faces at vertex {} meet there without sharing edges; give each group of them a vertex of "
-        "its own",
-        Entity::vertex, {v});
-}
-
-// Joins the half-edges without a face into loops; a vertex keeps the one that leaves it.
-void link_boundary(Kernel &kernel) {
+// Joins the half-edges without a face into loops; a vertex keeps the one that leaves it. False if several
+// loops meet at a vertex.
+bool link_boundary(Kernel &kernel) {
     std::vector<Halfedge> boundary;
     for (int i = 0; i < static_cast<int>(kernel.n_halfedges()); ++i) {
         const Halfedge h(i);
@@ -27,7 +21,7 @@ void link_boundary(Kernel &kernel) {
             continue;
         const Vertex v = kernel.from_vertex_handle(h);
         if (kernel.is_boundary(kernel.halfedge_handle(v)))
-            refuse_vertex(v.idx());
+            return false;
         kernel.set_halfedge_handle(v, h);
         boundary.push_back(h);
     }
@@ -35,6 +29,7 @@ void link_boundary(Kernel &kernel) {
     // every loop goes on.
     for (const Halfedge h : boundary)
         kernel.set_next_halfedge_handle(h, kernel.halfedge_handle(kernel.to_vertex_handle(h)));
+    return true;
 }
 
 } // namespace
@@ -43,8 +38,7 @@ QuadMesh QuadMesh::build(int dim, std::span<const double> points, std::span<cons
     test_lengths(dim, points, faces);
     const std::size_t n_vertices = points.size() / 3;
     const std::size_t n_faces = faces.size() / 4;
-    test_points(points);
-    test_corners(faces, n_vertices, false);
+    test_arrays(points, faces, false);
     const Halfedges halfedges = pair_sides(faces, n_vertices);
 
     QuadMesh mesh;
@@ -63,9 +57,8 @@ QuadMesh QuadMesh::build(int dim, std::span<const double> points, std::span<cons
         for (std::size_t i = 0; i < 4; ++i)
             kernel.set_halfedge_handle(Vertex(corners[i]), Halfedge(sides[i]));
     }
-    link_boundary(kernel);
-    if (const int v = find_pinch(kernel); v >= 0)
-        refuse_vertex(v);
+    if (!link_boundary(kernel) || find_pinch(kernel) >= 0)
+        throw find_defects(points, faces, n_vertices, false);
     mesh.reset_origins();
     return mesh;
 }

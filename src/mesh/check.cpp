@@ -112,12 +112,17 @@ void check_orientation(const QuadMesh &mesh) {
             const auto &here = mesh.point(corners[i]);
             const auto next = mesh.point(corners[(i + 1) % 4]) - here;
             const auto previous = mesh.point(corners[(i + 3) % 4]) - here;
-            if (!(quality::determinant({next[0], next[1]}, {previous[0], previous[1]}) > 0))
+            if (mesh.point(corners[(i + 1) % 4]) == here)
                 throw Failure(
                     Fault::argument,
-                    "face {} is inverted or flat at its corner {}; list its corners counter-clockwise, "
-                    "or move the vertex until the corner is convex",
-                    Entity::face, {f, corners[i]});
+                    "face {} has an edge without length, between vertices {} and {}; make one vertex "
+                    "of the two, or move them apart",
+                    Entity::face, {f, corners[i], corners[(i + 1) % 4]});
+            if (!(quality::determinant({next[0], next[1]}, {previous[0], previous[1]}) > 0))
+                throw Failure(Fault::argument,
+                              "face {} is inverted or flat at vertex {}; move vertices there until all "
+                              "four corners of the face are convex",
+                              Entity::face, {f, corners[i]});
         }
     }
 }

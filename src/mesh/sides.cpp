@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <string>
 
 #include "failure.h"
+#include "mesh/defects.h"
 
 namespace alphamst::mesh {
 
@@ -49,42 +49,19 @@ void test_points(Coordinates points) {
                                     "become 0; give it in a smaller unit of length");
 }
 
-void test_corners(Faces faces, std::size_t n_vertices, bool triangles) {
-    for (std::size_t c = 0; c < faces.size(); c += 4) {
-        const auto face = static_cast<std::int64_t>(c / 4);
-        const std::size_t end = c + (triangles && faces[c + 3] == -1 ? 3 : 4);
-        for (std::size_t i = c; i < end; ++i)
-            if (faces[i] < 0 || static_cast<std::size_t>(faces[i]) >= n_vertices)
-                throw Failure(Fault::range,
-                              "face {} has corner {}, but the mesh has " + std::to_string(n_vertices) +
-                                  " vertices; correct the corner or add the vertex",
-                              Entity::face, {face, faces[i]});
-        for (std::size_t i = c; i < end; ++i)
-            for (std::size_t j = i + 1; j < end; ++j)
-                if (faces[i] == faces[j])
-                    throw Failure(Fault::not_quad,
-                                  "face {} has vertex {} at two corners; give it " +
-                                      std::string(end == c + 3 ? "three" : "four") + " different corners",
-                                  Entity::face, {face, faces[i]});
-    }
+void test_arrays(Coordinates points, Faces faces, bool triangles) {
+    const std::size_t n_vertices = points.size() / 3;
+    if (!std::ranges::all_of(points, [](double x) { return std::isfinite(x); }))
+        throw find_defects(points, faces, n_vertices, triangles);
+    test_points(points);
+    for (std::size_t f = 0; f < faces.size() / 4; ++f)
+        if (!has_corners(faces, f, n_vertices, triangles))
+            throw find_defects(points, faces, n_vertices, triangles);
 }
 
-namespace {
-
-// One side of a face, filed under the smaller of its two vertices.
-struct Side {
-    std::int32_t larger;
-    std::int32_t corner;
-};
-
-struct Buckets {
-    std::vector<std::int32_t> end; // [vertex], one behind its last side
-    std::vector<Side> sides;
-};
-
 // Counting sort by the smaller vertex, then each bucket by the larger one.
-Buckets sort_sides(Faces faces, std::size_t n_vertices) {
-    Buckets buckets{std::vector<std::int32_t>(n_vertices + 1), {}};
+EdgeSides sort_sides(Faces faces, std::size_t n_vertices) {
+    EdgeSides buckets{std::vector<std::int32_t>(n_vertices + 1), {}};
     auto &end = buckets.end;
     for (std::size_t c = 0; c < faces.size(); ++c)
         if (faces[c] >= 0)
@@ -109,42 +86,17 @@ Buckets sort_sides(Faces faces, std::size_t n_vertices) {
     return buckets;
 }
 
-[[noreturn]] void refuse_edge(Faces faces, std::span<const Side> sides) {
-    const auto corner = [&](std::size_t i) { return static_cast<std::size_t>(sides[i].corner); };
-    const std::int64_t from = faces[corner(0)], to = faces[next_corner(faces, corner(0))];
-    if (sides.size() > 2)
-        throw Failure(Fault::not_manifold,
-                      "face {} is the third one at the edge between vertices {} and {}; split the mesh there",
-                      Entity::face, {sides[2].corner / 4, from, to});
-    throw Failure(Fault::not_manifold,
-                  "faces {} and {} both run from vertex {} to vertex {}; reverse the corners of one of them, "
-                  "or split the mesh there if it has only one side",
-                  Entity::face, {sides[1].corner / 4, sides[0].corner / 4, from, to});
-}
-
-} // namespace
-
 Halfedges pair_sides(Faces faces, std::size_t n_vertices) {
-    const Buckets buckets = sort_sides(faces, n_vertices);
     Halfedges halfedges{std::vector<std::int32_t>(faces.size(), -1)};
-    const std::span<const Side> sides = buckets.sides;
-    for (std::size_t v = 0, i = 0; v < n_vertices; ++v) {
-        const auto end = static_cast<std::size_t>(buckets.end[v]);
-        while (i < end) {
-            std::size_t last = i + 1;
-            while (last < end && sides[last].larger == sides[i].larger)
-                ++last;
-            const auto reversed = [&](std::size_t k) {
-                return faces[static_cast<std::size_t>(sides[k].corner)] == sides[k].larger;
-            };
-            if (last - i > 2 || (last - i == 2 && reversed(i) == reversed(i + 1)))
-                refuse_edge(faces, sides.subspan(i, last - i));
-            for (; i < last; ++i)
-                halfedges.of_corner[static_cast<std::size_t>(sides[i].corner)] =
-                    static_cast<std::int32_t>(2 * halfedges.n_edges + (reversed(i) ? 1 : 0));
-            ++halfedges.n_edges;
-        }
-    }
+    visit_edges(sort_sides(faces, n_vertices), [&](std::span<const Side> sides) {
+        if (sides.size() > 2 ||
+            (sides.size() == 2 && runs_down(faces, sides[0]) == runs_down(faces, sides[1])))
+            throw find_defects({}, faces, n_vertices, true);
+        for (const Side &side : sides)
+            halfedges.of_corner[static_cast<std::size_t>(side.corner)] =
+                static_cast<std::int32_t>(2 * halfedges.n_edges + (runs_down(faces, side) ? 1 : 0));
+        ++halfedges.n_edges;
+    });
     return halfedges;
 }
 

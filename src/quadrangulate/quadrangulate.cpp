@@ -8,6 +8,8 @@
 #include "disjoint_sets.h"
 #include "failure.h"
 #include "index.h"
+#include "mesh/components.h"
+#include "mesh/defects.h"
 #include "quadrangulate/bars.h"
 #include "quadrangulate/flat_sides.h"
 #include "quadrangulate/halve.h"
@@ -185,10 +187,14 @@ void pair(const Polygons &polygons, const mesh::Halfedges &halfedges, const Pair
 QuadArrays quadrangulate(const Polygons &polygons, Quadrangulation how, const PairingRules &rules) {
     mesh::test_lengths(3, polygons.points, polygons.faces);
     test_sizes(polygons);
-    mesh::test_points(polygons.points);
+    mesh::test_arrays(polygons.points, polygons.faces, true);
     const std::size_t n_vertices = polygons.points.size() / 3;
-    mesh::test_corners(polygons.faces, n_vertices, true);
     const mesh::Halfedges halfedges = mesh::pair_sides(polygons.faces, n_vertices);
+    // Here rather than when the mesh is built of quads: users know the faces they gave.
+    if (std::ranges::count(
+            mesh::find_pinched(polygons.faces, mesh::sort_sides(polygons.faces, n_vertices), n_vertices),
+            true) > 0)
+        throw mesh::find_defects(polygons.points, polygons.faces, n_vertices, true);
 
     QuadArrays quads;
     quads.points.assign(polygons.points.begin(), polygons.points.end());

@@ -131,7 +131,19 @@ std::vector<char> constrained_vertices(const mesh::QuadMesh &mesh) {
     std::vector<char> fixed;
     for (int v = 0; v < mesh.n_vertices(); ++v)
         fixed.push_back(mesh.isolated(v) || patch::constrained(mesh, v));
+    for (int f = 0; f < mesh.n_faces(); ++f)
+        if (is_flat(mesh, f))
+            for (const int v : mesh.corners(f))
+                fixed[at(v)] = 1;
     return fixed;
+}
+
+bool is_flat(const mesh::QuadMesh &mesh, int face) {
+    const std::array<int, 4> quad = mesh.corners(face);
+    for (std::size_t k = 0; k < 4; ++k)
+        if (mesh.point(quad[k]) == mesh.point(quad[(k + 1) % 4]))
+            return true;
+    return false;
 }
 
 bool accept_or_roll_back(mesh::QuadMesh &mesh, reference::Reference &reference,

@@ -24,8 +24,10 @@ void settle_by_sizes(mesh::QuadMesh &mesh, reference::Reference &reference,
 void fit_to_surface(mesh::QuadMesh &mesh, reference::Reference &reference,
                     const std::optional<reference::SizingField> &density, const Settings &settings);
 
-// 1 for vertices that do not move freely.
+// 1 for vertices that do not move freely, those of flat faces among them.
 std::vector<char> constrained_vertices(const mesh::QuadMesh &mesh);
+// Whether an edge of the face has no length, as at a pole: nothing opens it, and others would pay for trying.
+bool is_flat(const mesh::QuadMesh &mesh, int face);
 
 // Moves the vertices of a curved mesh from where they are, `start`, to `on_surface`; where that spoils quads
 // or uncovers the surface they stay, and so do those on feature lines that would come past each other. False

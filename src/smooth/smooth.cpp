@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <numeric>
 #include <unordered_map>
 
@@ -12,6 +13,7 @@
 #include "reference/statistics.h"
 #include "reference/surface_of.h"
 #include "smooth/areas.h"
+#include "smooth/relax.h"
 #include "smooth/roll_back.h"
 #include "smooth/settle.h"
 #include "smooth/shaping.h"
@@ -181,7 +183,9 @@ std::vector<double> scaled(const mesh::QuadMesh &mesh, const std::vector<int> &f
 Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const std::vector<double> &all,
                      const Settings &settings) {
     const auto start = std::chrono::steady_clock::now();
-    const Part part(mesh, faces);
+    std::vector<int> moved;
+    std::ranges::copy_if(faces, std::back_inserter(moved), [&](int f) { return !is_flat(mesh, f); });
+    const Part part(mesh, moved);
     Outcome outcome;
     outcome.faces_before = outcome.faces_after = outcome.faces_wanted =
         static_cast<std::int64_t>(faces.size());
@@ -195,7 +199,7 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     outcome.singular_after = outcome.singular_bound = outcome.singular_before;
     outcome.quality_before = outcome.quality_after = reference::least_quality(mesh, faces);
     outcome.aspect_ratio_before = outcome.aspect_ratio_after = reference::largest_aspect_ratio(mesh, faces);
-    if (faces.empty())
+    if (moved.empty())
         return outcome;
     const double time_step = reference::time_step(mesh, faces);
     const Patch patch{faces, {}, 0};
@@ -206,7 +210,7 @@ Outcome smooth_faces(mesh::QuadMesh &mesh, const std::vector<int> &faces, const 
     std::vector<double> areas;
     const bool wished = mesh.field(Entity::vertex, "size") != nullptr;
     if (plane || wished)
-        areas = scaled(mesh, faces, all);
+        areas = scaled(mesh, moved, all);
     if (plane)
         smooth_flat(mesh, part, *plane, areas, wished, settings);
     else

@@ -173,6 +173,31 @@ static void triangles_become_quads(void **state) {
     amst_context_destroy(ctx);
 }
 
+static void a_byte_order_mark_is_passed_over(void **state) {
+    (void)state;
+    const char *const files[][2] = {
+        {"capi_mark.off", "\xEF\xBB\xBFOFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"},
+        {"capi_mark.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"},
+        {"capi_mark.su2",
+         "\xEF\xBB\xBFNDIME= 2\nNELEM= 1\n9 0 1 2 3\nNPOIN= 4\n0 0\n1 0\n1 1\n0 1\nNMARK= 0\n"},
+    };
+    amst_context *ctx = new_context(0);
+    amst_mesh *mesh = NULL;
+    for (size_t k = 0; k < sizeof files / sizeof *files; ++k) {
+        write_text(files[k][0], files[k][1]);
+        must(amst_mesh_read(ctx, files[k][0], NULL, &mesh));
+        assert_int_equal(count_of(mesh, AMST_FACE), 1);
+        amst_mesh_destroy(mesh);
+        assert_int_equal(remove(files[k][0]), 0);
+    }
+    write_text("capi_mark.off", "\xFF\xFEO"); /* UTF-16 */
+    mesh = NULL;
+    refused(AMST_ERR_UNSUPPORTED, amst_mesh_read(ctx, "capi_mark.off", NULL, &mesh));
+    assert_int_equal(remove("capi_mark.off"), 0);
+    assert_null(mesh);
+    amst_context_destroy(ctx);
+}
+
 static void what_is_no_mesh_is_refused(void **state) {
     (void)state;
     static const struct {
@@ -230,7 +255,7 @@ int main(void) {
         cmocka_unit_test(there_and_back),          cmocka_unit_test(markers_are_features_and_come_back),
         cmocka_unit_test(one_mesh_in_two_formats), cmocka_unit_test(pictures),
         cmocka_unit_test(triangles_become_quads),  cmocka_unit_test(what_is_no_mesh_is_refused),
-        cmocka_unit_test(paths_that_lead_nowhere),
+        cmocka_unit_test(paths_that_lead_nowhere), cmocka_unit_test(a_byte_order_mark_is_passed_over),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

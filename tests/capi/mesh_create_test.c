@@ -245,8 +245,10 @@ static void what_is_no_surface_is_refused(void **state) {
     refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, three_at_an_edge, 3, &mesh));
     const int32_t moebius[12] = {0, 1, 2, 3, 3, 2, 4, 5, 5, 4, 0, 1}; /* closes with a half turn */
     refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, moebius, 3, &mesh));
-    const int32_t one_turned[8] = {0, 1, 2, 3, 1, 2, 5, 4};
-    refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, one_turned, 2, &mesh));
+    const int32_t twice[8] = {0, 1, 2, 3, 3, 0, 1, 2};
+    refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, twice, 2, &mesh));
+    assert_error_names(AMST_FACE, 1);
+    assert_string_equal(amst_last_error(), "face 1 has the vertices of face 0; leave one of the two out");
     const int32_t touching[8] = {0, 1, 2, 3, 0, 4, 5, 6}; /* two fans at vertex 0 */
     refused(AMST_ERR_NOT_MANIFOLD, create(ctx, 3, points, 20, touching, 2, &mesh));
     assert_error_names(AMST_VERTEX, 0);

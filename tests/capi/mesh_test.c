@@ -100,6 +100,12 @@ static void check_finds_a_face_turned_over(void **state) {
     int32_t entity;
     must(amst_last_error_where(&entity, NULL, NULL));
     assert_int_equal(entity, AMST_FACE);
+    assert_non_null(strstr(amst_last_error(), "at vertex "));
+    points[2 * 6] = points[2 * 7]; /* vertices 7 and 8 */
+    points[2 * 6 + 1] = points[2 * 7 + 1];
+    must(amst_mesh_set_points(mesh, points, n_vertices));
+    assert_true(amst_mesh_check(mesh) < 0);
+    assert_non_null(strstr(amst_last_error(), "has an edge without length, between vertices "));
     free(points);
     amst_mesh_destroy(mesh);
     amst_context_destroy(ctx);

@@ -61,6 +61,26 @@ TEST(Msh, ReadsVersion4) {
     EXPECT_TRUE(parse_msh(four_head + four_nodes + four_elements).face_marker.empty());
 }
 
+// Points have boxes, blocks first their entities, and nodes their tags on their own lines.
+TEST(Msh, ReadsVersion40) {
+    const std::string head = "$MeshFormat\n4 0 8\n$EndMeshFormat\n";
+    const std::string entities =
+        "$Entities\n2 2 2 0\n1 0 0 0 0 0 0 0\n2 1 0 0 1 0 0 1 3\n1 0 0 0 1 0 0 1 5 2 1 -2\n"
+        "2 0 0 0 1 1 0 0 2 1 -1\n1 0 0 0 1 1 0 1 -9 0\n2 0 0 0 1 1 0 0 0\n$EndEntities\n";
+    const std::string nodes =
+        "$Nodes\n2 6\n1 1 1 2\n10 0 0 0 0.25\n3 1 0 0 0.75\n1 2 0 4\n60 1 1 0\n4 0 1 0\n"
+        "5 2 0 0\n6 2 1 0\n$EndNodes\n";
+    const std::string elements = "$Elements\n5 5\n1 1 1 1\n1 10 3\n2 1 1 1\n2 3 5\n2 0 15 1\n5 3\n1 2 3 1\n"
+                                 "3 10 3 60 4\n2 2 3 1\n4 3 5 6 60\n$EndElements\n";
+    const Arrays mesh = parse_msh(head + entities + nodes + elements);
+    EXPECT_EQ(mesh.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0}));
+    EXPECT_EQ(mesh.faces, (std::vector<std::int32_t>{0, 1, 2, 3, 1, 4, 5, 2}));
+    EXPECT_EQ(mesh.face_marker, (std::vector<std::int32_t>{9, 0}));
+    EXPECT_EQ(samples::edges_of(mesh), (std::vector<std::array<std::int32_t, 3>>{{0, 1, 5}}));
+    ASSERT_EQ(mesh.marked_points.size(), 1U);
+    EXPECT_EQ(mesh.marked_points[0].marker, 3);
+}
+
 TEST(Msh, OneRuleForSeveralGroupsInEveryVersion) {
     const std::string lines = "1 1 2 9 1 10 3\n2 1 2 5 1 10 3\n3 3 2 7 1 10 3 900 4\n4 3 2 6 1 10 3 900 4\n"
                               "5 3 2 7 1 3 5 6 900\n6 15 2 4 1 3\n7 15 2 2 1 3\n";
@@ -220,7 +240,7 @@ TEST(Msh, RejectsWhatIsMalformed) {
           std::string("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n1 1 1 1\n$EndNodes\n")})
         EXPECT_EQ(failure_of([&] { parse_msh(text); }).fault, Fault::format) << text;
     for (const char *text :
-         {"$MeshFormat\n2.2 1 8\n\1\n", "$MeshFormat\n4 0 8\n$EndMeshFormat\n",
+         {"$MeshFormat\n2.2 1 8\n\1\n", "$MeshFormat\n4.2 0 8\n$EndMeshFormat\n",
           "$MeshFormat\n1.5 0 8\n$EndMeshFormat\n", "$MeshFormat\n5.0 0 8\n$EndMeshFormat\n"})
         EXPECT_EQ(failure_of([&] { parse_msh(text); }).fault, Fault::unsupported) << text;
 }

@@ -39,7 +39,8 @@ TEST(Off, NamesTheFaceOfOtherCorners) {
     EXPECT_EQ(failure.fault, Fault::not_quad);
     EXPECT_EQ(failure.entity, Entity::face);
     EXPECT_EQ(failure.ids, std::vector<std::int64_t>{1});
-    EXPECT_STREQ(failure.what(), "line 8: face {} has 5 corners, not 3 or 4");
+    EXPECT_STREQ(failure.what(),
+                 "line 8: face {} has 5 corners, not 3 or 4; divide it into triangles or quadrilaterals");
 }
 
 TEST(Off, NamesCornersOutOfRange) {

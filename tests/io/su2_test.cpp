@@ -74,8 +74,6 @@ TEST(Su2, WritesNamesOrNumbersAsTags) {
     EXPECT_TRUE(back.marked_edges.empty());
 }
 
-TEST(Su2, TurnsClockwiseFacesOver) { expect_two(replaced(two, "9 1 2 5 4 1", "9 1 4 5 2 1")); }
-
 TEST(Su2, ReadsLinesWithAndWithoutIndices) {
     expect_two(head + "NELEM= 2\n9 0 1 4 3\n9 1 2 5 4\n" + "NPOIN= 6\n0 0\n1 0\n2 0\n0 1\n1 1\n2 1\n" +
                replaced(markers, "3 0 1", "3 0 1 0"));
@@ -109,6 +107,13 @@ TEST(Su2, PassesOverPointsOfAMarker) {
     EXPECT_EQ(mesh.marked_edges[2].marker, 3); // a marker without an edge counts, too
 }
 
+// Files of old have it behind the number of elements.
+TEST(Su2, PassesOverTheDestinationOfAMarker) {
+    expect_two(replaced(two, "MARKER_ELEMS= 1\n", "MARKER_ELEMS= 1\nSEND_TO= 4 % a part\n"));
+    const Arrays mesh = parse_su2(replaced(two, "MARKER_ELEMS= 2\n", "MARKER_ELEMS= 2\nSEND_TO= (none)\n"));
+    EXPECT_EQ(mesh.remarks, std::vector<std::string>{"marker 1 has SEND_TO=, which is not kept"});
+}
+
 TEST(Su2, ReadsPointsInSpace) {
     const std::string rest =
         elements + "NPOIN= 6\n0 0 0 0\n1 0 0 1\n2 0 0\n0 1 0.5 3\n1 1 0.5 4\n2 1 0.5 5\n" + markers;
@@ -119,7 +124,7 @@ TEST(Su2, ReadsPointsInSpace) {
 }
 
 TEST(Su2, ReadsTriangles) {
-    for (const char *line : {"5 1 2 5 1", "5 1 5 2 1", "5 1 2 5"}) // the second is clockwise
+    for (const char *line : {"5 1 2 5 1", "5 1 2 5"})
         EXPECT_EQ(parse_su2(replaced(two, "9 1 2 5 4 1", line)).faces,
                   (std::vector<std::int32_t>{0, 1, 4, 3, 1, 2, 5, -1}))
             << line;

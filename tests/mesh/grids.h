@@ -45,6 +45,22 @@ inline Grid torus(int n, int m) {
     return grid;
 }
 
+// A ring of n squares, its last one joined to the first with a twist.
+inline Grid moebius(int n) {
+    Grid strip;
+    for (int i = 0; i < n; ++i) {
+        const double a = 6.283185307179586 * i / n;
+        for (const double s : {-.3, .3})
+            strip.points.insert(strip.points.end(),
+                                {std::cos(a) * (1 + s * std::cos(a / 2)),
+                                 std::sin(a) * (1 + s * std::cos(a / 2)), s * std::sin(a / 2)});
+    }
+    for (int i = 0; i + 1 < n; ++i)
+        strip.faces.insert(strip.faces.end(), {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+    strip.faces.insert(strip.faces.end(), {2 * n - 2, 1, 0, 2 * n - 1});
+    return strip;
+}
+
 // Three unit squares around the vertex 4 at (1, 1), which is a concave corner; face 0 is
 // between the other two and has no edge on the boundary there.
 inline Grid ell() {

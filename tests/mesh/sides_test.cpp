@@ -35,11 +35,11 @@ TEST(Sides, ArraysHaveWholeRows) {
 
 TEST(Sides, CoordinatesAreFinite) {
     std::vector<double> points(12);
-    EXPECT_NO_THROW(test_points(points));
+    EXPECT_NO_THROW(test_arrays(points, {}, true));
     for (const double bad :
          {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
         points[7] = bad;
-        const Failure failure = failure_of([&] { test_points(points); });
+        const Failure failure = failure_of([&] { test_arrays(points, {}, true); });
         EXPECT_EQ(failure.fault, Fault::not_finite);
         EXPECT_EQ(failure.entity, Entity::vertex);
         EXPECT_EQ(failure.ids, (std::vector<std::int64_t>{2}));
@@ -64,9 +64,10 @@ TEST(Sides, CoordinatesAreWithinReach) {
 }
 
 TEST(Sides, CornersAreDifferentVerticesOfTheMesh) {
-    EXPECT_NO_THROW(test_corners(mixed, 5, true));
-    const auto fault = [](const Ids &faces, bool triangles) {
-        return failure_of([&] { test_corners(faces, 5, triangles); }).fault;
+    const std::vector<double> points(15);
+    EXPECT_NO_THROW(test_arrays(points, mixed, true));
+    const auto fault = [&](const Ids &faces, bool triangles) {
+        return failure_of([&] { test_arrays(points, faces, triangles); }).fault;
     };
     EXPECT_EQ(fault(mixed, false), Fault::range); // -1 is a corner then
     EXPECT_EQ(fault({0, 1, 2, 5}, true), Fault::range);

@@ -44,7 +44,9 @@ module alphamst_mesh
         !> create(context, points(dim, :), faces(4, :) [, options]): faces of kind int32 or int64, corners
         !> counter-clockwise, dim 2 or 3. faces(3, :) are triangles, and so are those of four corners whose
         !> last is 0: they become quads as the option AMST_OPT_QUADRANGULATE says, 0 in pairs, 1 split. All
-        !> given vertices keep their ids. An array section is copied first, see create_strided.
+        !> given vertices keep their ids. Faces that run another way round than their neighbours, or clockwise
+        !> in the plane, are turned over, and the log tells how many. An array section is copied first, see
+        !> create_strided.
         !> Errors: ARGUMENT (extents), RANGE (corner, count), NOT_FINITE, NOT_QUAD, NOT_MANIFOLD.
         generic :: create => create_int32, create_int64
         !> create_strided(context, dim, points, n_vertices, vertex_stride, component_stride, faces,

@@ -15,11 +15,12 @@ A mesh of quadrilaterals from arrays or from a file.
 
 `points` is (dim, n) with dim 2 or 3. `faces` is (4, m) or (3, m), corners counter-clockwise, at
 least one face; 0 as the last of four corners makes a triangle. Triangles are merged in pairs, or
-split with `quadrangulate = 1`; all given vertices keep their ids. Strided matrices (also views and `PermutedDimsArray`s) of `Float64` and of `Int32` or `Int64`
+split with `quadrangulate = 1`; all given vertices keep their ids. Faces that run another way round than
+their neighbours, or clockwise in the plane, are turned over, and the log tells how many. Strided matrices (also views and `PermutedDimsArray`s) of `Float64` and of `Int32` or `Int64`
 are read where they lie; other ones are converted first. Nothing is kept of them.
 
-The format of a file is told by its extension: `.off`, `.obj`, `.ply`, `.msh` (Gmsh 1, 2.2 and
-4.1 ASCII), `.su2`, `.vtk` (legacy). Dim is 2 when every z is 0. Numbers of points, boundaries and
+The format of a file is told by its extension: `.off`, `.obj`, `.ply`, `.msh` (Gmsh 1, 2.2, 4.0
+and 4.1 ASCII), `.su2`, `.vtk` (legacy). Dim is 2 when every z is 0. Numbers of points, boundaries and
 regions are [`markers`](@ref), with their names; the boundaries of an `.su2` file get the numbers 1, 2, ... in
 the order of the file. What numbers could not be kept is told by the log, see [`set_log!`](@ref).
 

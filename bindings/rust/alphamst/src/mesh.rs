@@ -42,7 +42,8 @@ impl Mesh {
     /// A mesh from points of 2 or 3 coordinates and faces of three or four corners, counter-clockwise; -1
     /// as the last of four makes a triangle. Triangles are merged in pairs, and all given vertices keep
     /// their ids; [`Mesh::from_strided`] takes options, such as [`OptionKey::Quadrangulate`]. At least one
-    /// face, at most 2^28 - 1; unreferenced vertices stay.
+    /// face, at most 2^28 - 1; unreferenced vertices stay. Faces that run another way round than their
+    /// neighbours, or clockwise in the plane, are turned over, and the log tells how many.
     ///
     /// [`OptionKey::Quadrangulate`]: crate::OptionKey::Quadrangulate
     ///
@@ -88,8 +89,8 @@ impl Mesh {
         })
     }
 
-    /// A mesh from a file: .off .obj .ply .msh (Gmsh 1, 2.2 and 4.1 ASCII) .su2 .vtk (legacy). It has
-    /// dim 2 when every z is 0. Numbers of points, boundaries and regions are [`markers`](Mesh::markers),
+    /// A mesh from a file: .off .obj .ply .msh (Gmsh 1, 2.2, 4.0 and 4.1 ASCII) .su2 .vtk (legacy). It
+    /// has dim 2 when every z is 0. Numbers of points, boundaries and regions are [`markers`](Mesh::markers),
     /// with their names; the boundaries of a .su2 file get the numbers 1, 2, ... in the order of the file.
     /// What numbers could not be kept is told by the log, see [`Context::set_log`]. Borders of regions and
     /// marked edges act as [`Flags::FEATURE`]. Triangles become quads as in [`Mesh::from_strided`], but none

@@ -68,7 +68,7 @@ statuses! {
     Stale = AMST_ERR_STALE,
     /// A patch that is not a usable disk, see [`Defects`](crate::Defects).
     Patch = AMST_ERR_PATCH,
-    /// An edge with three or more faces, or a mesh that cannot be oriented.
+    /// An edge with three or more faces, a surface with one side, or faces that meet in a vertex alone.
     NotManifold = AMST_ERR_NOT_MANIFOLD,
     /// A face without four distinct corners.
     NotQuad = AMST_ERR_NOT_QUAD,
