@@ -9,6 +9,8 @@
 
 enum { SIDE = 32, N_POINTS = (SIDE + 1) * (SIDE + 1), N_FACES = SIDE * SIDE };
 
+static const double middle = 16;
+
 static void *memory(int64_t n, size_t size) {
     void *made = malloc((size_t)n * size);
     if (made == NULL)
@@ -22,13 +24,15 @@ static amst_mesh *make_square(amst_context *context) {
     static int32_t faces[N_FACES][4];
     amst_mesh *mesh = NULL;
     for (int v = 0; v < N_POINTS; ++v) {
-        points[v][0] = v % (SIDE + 1);
-        points[v][1] = v / (SIDE + 1);
+        const int column = v % (SIDE + 1), row = v / (SIDE + 1);
+        points[v][0] = column;
+        points[v][1] = row;
         temperature[v] = points[v][0] + 2 * points[v][1];
     }
     for (int32_t f = 0; f < N_FACES; ++f) {
-        const int32_t v = f + f / SIDE, quad[4] = {v, v + 1, v + SIDE + 2, v + SIDE + 1};
-        const double x = f % SIDE + 0.5 - SIDE / 2, y = f / SIDE + 0.5 - SIDE / 2;
+        const int32_t column = f % SIDE, row = f / SIDE, v = f + row;
+        const int32_t quad[4] = {v, v + 1, v + SIDE + 2, v + SIDE + 1};
+        const double x = column + 0.5 - middle, y = row + 0.5 - middle;
         for (int k = 0; k < 4; ++k)
             faces[f][k] = quad[k];
         energy[f] = 1 / (1 + (x * x + y * y) / 32);
@@ -53,7 +57,7 @@ static void want_sizes(amst_mesh *mesh, double radius) {
     int64_t n = 0;
     double *points = points_of(mesh, &n), *size = memory(n, sizeof *size);
     for (int64_t v = 0; v < n; ++v) {
-        const double x = points[2 * v] - SIDE / 2, y = points[2 * v + 1] - SIDE / 2;
+        const double x = points[2 * v] - middle, y = points[2 * v + 1] - middle;
         const double away = fabs(sqrt(x * x + y * y) - radius);
         size[v] = fmin(fmax(0.5, 0.5 + 0.5 * (away - 1.5) / 3.5), 1);
     }
