@@ -209,6 +209,21 @@ void QuadMesh::write_quads(std::span<const std::array<int, 4>> quads, int n_loop
     }
 }
 
+namespace {
+
+// Vertices as quads count them: those of the loop, where the first new ones may be, and then the other new
+// ones.
+std::vector<int> as_quads_count(std::span<const int> loop, const std::vector<int> &come) {
+    std::vector<int> vertices(loop.begin(), loop.end());
+    auto next = come.begin();
+    for (int &v : vertices)
+        v = v < 0 ? *next++ : v;
+    vertices.insert(vertices.end(), next, come.end());
+    return vertices;
+}
+
+} // namespace
+
 QuadMesh::Replaced QuadMesh::replace_disk(std::span<const int> faces, std::span<const int> loop,
                                           std::span<const std::array<int, 4>> quads,
                                           std::span<const OpenMesh::Vec3d> points,
@@ -244,11 +259,7 @@ QuadMesh::Replaced QuadMesh::replace(std::span<const int> faces, std::span<const
     const auto at_rim = static_cast<std::size_t>(std::count(disk.sides.begin(), disk.sides.end(), -1));
     const Ids new_edges(disk.edges, (twins.size() - loop.size()) / 2 + at_rim, kernel_.n_edges());
     const std::int32_t marker = most_frequent_marker(face_marker, disk.faces);
-    std::vector<int> vertices(loop.begin(), loop.end());
-    auto next = new_vertices.ids.begin();
-    for (int &v : vertices)
-        v = v < 0 ? *next++ : v;
-    vertices.insert(vertices.end(), next, new_vertices.ids.end());
+    const std::vector<int> vertices = as_quads_count(loop, new_vertices.ids);
     const std::vector<int> sides = number_sides(quads, twins, new_edges, disk.sides);
     reserve(new_vertices.during, new_edges.during, new_faces.during);
 

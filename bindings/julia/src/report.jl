@@ -27,7 +27,7 @@ What an operation did, in all or to one patch; a `Report` outlives mesh and patc
 | key | |
 | --- | --- |
 | `:status` | below 0 the patch was left as it was; `status_name` has the name |
-| `:faces_before`, `:faces_after`, `:faces_wanted` | the last is alpha * before, rounded |
+| `:faces_before`, `:faces_after`, `:faces_wanted` | the last is alpha * before, rounded, or what `size_band` leaves and asks for |
 | `:singular_before`, `:singular_after` | interior vertices of valence other than 4, of a patch with its boundary |
 | `:singular_bound` | least number that any filling of the boundary has |
 | `:candidate` | 0: filling as predicted; n: geometry forced the n-th later one |
