@@ -829,29 +829,34 @@ AMST_TRY amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            is beyond that, and a few layers of faces around them; all others stay bit for bit, and so do
  *            their fields. .7 suits a front that moves by less than its width. The number of faces wanted
  *            is what "size" asks for where faces change, and those that stay. For which length a place was
- * last adapted, or found good, is kept in the vertex field "adapted size", which appears: it is taken again
- * only if what is wanted there has changed by half of SIZE_BAND, so that an equal call changes nothing.
- * Remove the field to have all looked at anew. Size errors in the report are those of the places that change.
- * No effect with EDIT_BOUNDARY 1 or STRATEGY 1. STRATEGY  1: whole chords are removed, the shortest first, or
- * split until no other one can go without passing the number of faces. No vertex becomes singular. Of the
- * other options only SMOOTH_STEPS and EDIT_BOUNDARY count, and SIZE_WEIGHT in a plane. EDIT_BOUNDARY  0: the
- * boundary of a plane mesh stays as it is, vertex for vertex. 1: vertices come and go on it, where edges
- * would be far from the length that is wanted, and where that saves singular vertices: the length of the
- * field "size"; or as long as they were, times the change of the faces there (half as long at alpha 4), but
- * no shorter than the faces are wide. New ones lie on the boundary as it was when an operation first had this
- * option, or see amst_mesh_set_projection, and new edges miss it by TOLERANCE wanted edges at most. These
- * stay: vertices with a flag, those where markers change (not the tags of curves in a file of Gmsh without
- * physical groups), where something ends, and corners, where the boundary turns by more than 60 degrees and
- * does not turn back within two edges. New edges have the marker, the flags and the origin of the one at
- * their middle. Where a whole mesh is made of rows and columns, with stretched rows along the boundary,
- * columns alone come and go: rows keep their heights. On a curved mesh, and with STRATEGY 1, 1 lets chords
- * take vertices from features and boundary where these turn by less than 30 degrees, as machine parts may
- * need; vertices slide along features around such bends, which stay within a fifth of TOLERANCE of their
- * edges; and new ones lie on the curve as it was when an operation first found it. With 0 features lose and
- * get vertices only where they are straight. With STRATEGY 0 there are chords only where a curved mesh that
- * is nearly regular and has no field "size" begins with them. Where a curved mesh cannot have the faces
- * wanted, no more singular vertices are made than there were. Errors: ARGUMENT (alpha <= 0), NOT_FINITE,
- * RANGE (a patch of more than 100,000 faces, a mesh of more than ids can name). */
+ *            last adapted, or found good, is kept in the vertex field "adapted size", which appears: it is
+ *            taken again only if what is wanted there has changed by half of SIZE_BAND, so that an equal
+ *            call changes nothing. Remove the field to have all looked at anew. Size errors in the report
+ *            are those of the places that change. No effect with EDIT_BOUNDARY 1 or STRATEGY 1.
+ *  STRATEGY  1: whole chords are removed, the shortest first, or split until no other one can go without
+ *            passing the number of faces. No vertex becomes singular. Of the other options only SMOOTH_STEPS
+ *            and EDIT_BOUNDARY count, and SIZE_WEIGHT in a plane.
+ *  EDIT_BOUNDARY  0: the boundary of a plane mesh stays as it is, vertex for vertex. 1: vertices come
+ *            and go on it, where edges would be far from the length that is wanted, and where that saves
+ *            singular vertices: the length of the field "size"; or as long as they were, times the change
+ *            of the faces there (half as long at alpha 4), but no shorter than the faces are wide. New ones
+ *            lie on the boundary as it was when an operation first had this option, or see
+ *            amst_mesh_set_projection, and new edges miss it by TOLERANCE wanted edges at most. These stay:
+ *            vertices with a flag, those where markers change (not the tags of curves in a file of Gmsh
+ *            without physical groups), where something ends, and corners, where the boundary turns by
+ *            more than 60 degrees and does not turn back within two edges. New edges have the marker,
+ *            the flags and the origin of the one at their middle. Where a whole mesh is made of rows and
+ *            columns, with stretched rows along the boundary, columns alone come and go: rows keep their
+ *            heights.
+ *            On a curved mesh, and with STRATEGY 1, 1 lets chords take vertices from features and boundary
+ *            where these turn by less than 30 degrees, as machine parts may need; vertices slide along
+ *            features around such bends, which stay within a fifth of TOLERANCE of their edges; and new
+ *            ones lie on the curve as it was when an operation first found it. With 0
+ *            features lose and get vertices only where they are straight. With STRATEGY 0 there are chords
+ *            only where a curved mesh that is nearly regular and has no field "size" begins with them.
+ * Where a curved mesh cannot have the faces wanted, no more singular vertices are made than there were.
+ * Errors: ARGUMENT (alpha <= 0), NOT_FINITE, RANGE (a patch of more than 100,000 faces, a mesh of more than
+ * ids can name). */
 AMST_TRY amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha,
                                 const amst_options *options, amst_report **report);
 /* Replace each patch by its minimum singularity template, boundary kept. patches
