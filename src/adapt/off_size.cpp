@@ -209,7 +209,9 @@ Outcome adapt_off_size(mesh::QuadMesh &mesh, double alpha, const Settings &setti
     mesh::Submesh part = mesh::submesh_of(mesh, faces);
     double sum = 0;
     for (std::size_t i = 0; i < faces.size(); ++i)
-        if (std::ranges::binary_search(changing, faces[i])) {
+        if ((part.mesh.face_flags[i] & mesh::fixed) != 0) {
+            sum += 1;
+        } else if (std::ranges::binary_search(changing, faces[i])) {
             sum += wanted.faces(faces[i]);
         } else {
             part.mesh.face_flags[i] |= mesh::fixed | mesh::held;

@@ -310,12 +310,15 @@ bool reconnected(const QuadMesh &before, const QuadMesh &after) {
 }
 
 void carry(const QuadMesh &before, QuadMesh &after, const Progress &progress) {
-    if (after.fields.empty())
+    mesh::Fields old = before.fields;
+    for (const std::shared_ptr<const Field> &field : after.fields) // an operation may have set some
+        old.set(field);
+    if (old.empty())
         return;
     const bool connectivity = reconnected(before, after);
     std::optional<Carrier> carrier;
     mesh::Fields fields;
-    for (const std::shared_ptr<const Field> &field : after.fields) {
+    for (const std::shared_ptr<const Field> &field : old) {
         if (field->carry == mesh::Carry::drop && connectivity)
             continue;
         progress(1, "carry");

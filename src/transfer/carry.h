@@ -10,8 +10,8 @@ namespace alphamst::transfer {
 // Whether faces or edges are not all where they were when the origins of `after` were last reset.
 bool reconnected(const mesh::QuadMesh &before, const mesh::QuadMesh &after);
 
-// Brings the fields of `after` along, whose values are still those of `before`, its origins telling what of
-// that it is. Every entity that was there keeps its values, bit for bit, unless the rule of the field says
+// Brings the fields of `before` along to `after`, and those that `after` has in their place, with values for
+// the entities of `before`. Origins tell what of that is there. Every entity that was there keeps its values, bit for bit, unless the rule of the field says
 // otherwise; this gives those of the new ones, out of the faces of `before` that were replaced or changed
 // their shape (the changed ones, below):
 //

@@ -112,6 +112,7 @@ TEST(Begin, FeaturesAndBoundaryLoseVerticesIfTheyMay) {
         if (amid(v) && amid(w))
             mesh.edge_flags[at(e)] |= mesh::feature;
     }
+    mesh.curves = reference::curves_of(mesh); // as when an operation begins
     const mesh::QuadMesh before = mesh;
     Settings settings;
     for (const bool edit : {false, true}) {

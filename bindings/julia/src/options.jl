@@ -41,6 +41,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `effort` | 1.0 | times as much is spent on better fillings, 0.01 to 100 |
 | `size_weight` | 0.7 | of wanted sizes against shapes, 0 to 1 |
 | `transition` | 0.5 | of a patch's depth, over which sizes change, 0.05 to 1 |
+| `size_band` | 0.0 | log2 of area; in whole plane meshes with a field `"size"` faces that are off by less stay, 0 to 8 |
 | `least_size` | 0.125 | area over wanted area; no smaller face is made, 0 to 1 |
 | `sharp_angle` | 40.0 | triangles of a new mesh are not paired over sharper edges, 0 to 180 degrees |
 | `edges` | none | `Matrix(2, n)` of vertices: edges of a new mesh that no pair of triangles crosses |

@@ -56,7 +56,7 @@ enumeration! {
         LeastSize = AMST_OPT_LEAST_SIZE,
         /// Real, 40.0: triangles of a new mesh are not paired over sharper edges, 0 to 180 degrees.
         SharpAngle = AMST_OPT_SHARP_ANGLE,
-        /// Of log2 of areas: in whole plane meshes with a field "size" faces that are off by less stay, and the
+        /// Real, 0.0: log2 of areas; in whole plane meshes with a field "size" faces off by less stay, and the
         /// field alone says how many faces there are; 0: all may change.
         SizeBand = AMST_OPT_SIZE_BAND,
     }

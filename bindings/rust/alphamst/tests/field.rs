@@ -72,7 +72,7 @@ fn means_keep_their_range_on_faces_and_vertices() {
         mesh.set_field(entity, "linear", 1, Carry::Conserve, &values[..n]).unwrap();
         mesh.set_field(entity, "constant", 1, Carry::Average, &values[..n]).unwrap();
     }
-    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
     for entity in [Entity::Face, Entity::Vertex] {
         let linear = mesh.field(entity, "linear").unwrap();
         let constant = mesh.field(entity, "constant").unwrap();
@@ -85,7 +85,7 @@ fn means_keep_their_range_on_faces_and_vertices() {
 fn rows_of_overlaps_sum_up_to_areas() {
     let (mut mesh, mut patches) = grid::patched(&Context::new(), 10, 2, 8);
     let old = mesh.clone();
-    mesh.adapt(&mut patches, 2.0, None).unwrap();
+    let _ = mesh.adapt(&mut patches, 2.0, None).unwrap();
     let elsewhere = grid::mesh(&Context::new(), 10, 10); // of another context
     for before in [&old, &elsewhere] {
         let rows = before.overlap(&mesh).unwrap();
