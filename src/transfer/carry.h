@@ -11,9 +11,9 @@ namespace alphamst::transfer {
 bool reconnected(const mesh::QuadMesh &before, const mesh::QuadMesh &after);
 
 // Brings the fields of `before` along to `after`, and those that `after` has in their place, with values for
-// the entities of `before`. Origins tell what of that is there. Every entity that was there keeps its values, bit for bit, unless the rule of the field says
-// otherwise; this gives those of the new ones, out of the faces of `before` that were replaced or changed
-// their shape (the changed ones, below):
+// the entities of `before`. Origins tell what of that is there. Every entity that was there keeps its values,
+// bit for bit, unless the rule of the field says otherwise; this gives those of the new ones, out of the
+// faces of `before` that were replaced or changed their shape (the changed ones, below):
 //
 //   drop      the field goes if the mesh was reconnected
 //   inherit   the nearest entity of the changed faces, by points, midpoints and centroids; of edges the
