@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numeric>
 
 #include "adapt/adapt.h"
 #include "geometry/quad.h"
 #include "index.h"
 #include "mesh/submesh.h"
+#include "patch/grow.h"
 #include "reference/locate.h"
 #include "reference/reference.h"
 #include "reference/statistics.h"
@@ -51,22 +51,11 @@ private:
     double factor_;
 };
 
-bool is_plane(const mesh::QuadMesh &mesh) {
-    std::vector<int> all(at(mesh.n_faces()));
-    std::iota(all.begin(), all.end(), 0);
-    return !all.empty() && reference::plane_of(mesh, all);
-}
-
-// And all faces that share a vertex with one of them.
-void add_layer(const mesh::QuadMesh &mesh, std::vector<int> &faces) {
-    std::vector<int> around;
-    for (const int f : faces)
-        for (const int v : mesh.corners(f))
-            for (const int g : mesh.faces_around(v))
-                around.push_back(g);
-    std::ranges::sort(around);
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    faces = std::move(around);
+// And all faces that share a vertex with one of them; ascending.
+std::vector<int> with_layer(patch::Growth &growth, const std::vector<int> &faces) {
+    std::vector<int> all = growth.surround(faces, 1);
+    std::ranges::sort(all);
+    return all;
 }
 
 // A vertex at which they meet without sharing edges would be none of a mesh of their own: all around it come.
@@ -167,7 +156,7 @@ Outcome present(const mesh::QuadMesh &mesh, const std::vector<int> &but) {
 
 bool goes_by_band(const mesh::QuadMesh &mesh, const Settings &settings) {
     return settings.size_band > 0 && !settings.edit_boundary &&
-           mesh.field(Entity::vertex, "size") != nullptr && (mesh.dim() == 2 || is_plane(mesh));
+           mesh.field(Entity::vertex, "size") != nullptr && (mesh.dim() == 2 || reference::plane_of(mesh));
 }
 
 std::vector<int> faces_off_size(const mesh::QuadMesh &mesh, double alpha, const Settings &settings) {
@@ -183,9 +172,9 @@ std::vector<int> faces_off_size(const mesh::QuadMesh &mesh, double alpha, const 
             std::abs(std::log2(wanted.faces(f))) > settings.size_band)
             faces.push_back(f);
     }
+    patch::Growth growth(mesh);
     for (int k = 0; k < most_layers && !faces.empty(); ++k) {
-        std::vector<int> more = faces;
-        add_layer(mesh, more);
+        std::vector<int> more = with_layer(growth, faces);
         if (k >= least_layers && static_cast<double>(more.size()) > most_for_changed * changed)
             break;
         faces = std::move(more);
@@ -202,8 +191,8 @@ Outcome adapt_off_size(mesh::QuadMesh &mesh, double alpha, const Settings &setti
     const Wanted wanted(mesh, alpha);
     remember(mesh, changing, wanted);
     // One layer more, which stays: so the vertices at the rim have the valences of the whole.
-    std::vector<int> faces = changing;
-    add_layer(mesh, faces);
+    patch::Growth growth(mesh);
+    std::vector<int> faces = with_layer(growth, changing);
     fill_pinches(mesh, faces);
     Outcome outcome = present(mesh, faces);
     mesh::Submesh part = mesh::submesh_of(mesh, faces);
@@ -217,12 +206,11 @@ Outcome adapt_off_size(mesh::QuadMesh &mesh, double alpha, const Settings &setti
             part.mesh.face_flags[i] |= mesh::fixed | mesh::held;
             sum += 1;
         }
-    mesh::QuadMesh changed = part.mesh;
     Settings all_of_it = settings;
     all_of_it.size_band = 0;
     const Outcome of_part =
-        adapt_whole(changed, sum / static_cast<double>(faces.size()), all_of_it, progress);
-    mesh::put_back(mesh, part, changed);
+        adapt_whole(part.mesh, sum / static_cast<double>(faces.size()), all_of_it, progress);
+    mesh::put_back(mesh, part);
     tell(of_part, outcome);
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome;

@@ -50,13 +50,10 @@ amst_status amst_mesh_set_flags(amst_mesh *mesh, std::int32_t entity, const amst
         const Entity kind = entity_of(entity);
         const int base = index_base(mesh);
         const int count = count_of(*target.current, kind);
-        if (n < 0)
-            throw Failure(Fault::range, "n is negative: " + std::to_string(n));
+        require_number(n);
         require_flags(mask, "mask");
         require_flags(value, "value");
-        if (ids != nullptr)
-            for (std::int64_t i = 0; i < n; ++i)
-                in(base, ids[i], count, kind);
+        require_ids(base, ids, n, count, kind);
 
         mesh::QuadMesh &flagged = target.writable();
         Flags &flags = flagged.*flags_of(kind);
@@ -67,8 +64,7 @@ amst_status amst_mesh_set_flags(amst_mesh *mesh, std::int32_t entity, const amst
             if (marked && flagged.vertex_marker[i] != 0)
                 flags[i] |= mesh::corner;
         };
-        for (std::int64_t i = 0; i < (ids == nullptr ? count : n); ++i)
-            set(static_cast<std::size_t>(ids == nullptr ? i : ids[i] - base));
+        visit_ids(base, ids, n, count, set);
     });
 }
 

@@ -35,6 +35,17 @@ int in(int index_base, std::int64_t id, std::int64_t count, Entity entity) {
     throw failure;
 }
 
+void require_number(std::int64_t n) {
+    if (n < 0)
+        throw Failure(Fault::range, "n is negative: " + std::to_string(n));
+}
+
+void require_ids(int index_base, const amst_id *ids, std::int64_t n, int count, Entity entity) {
+    if (ids != nullptr)
+        for (std::int64_t i = 0; i < n; ++i)
+            in(index_base, ids[i], count, entity);
+}
+
 Entity entity_of(std::int32_t value) {
     switch (value) {
     case AMST_VERTEX:

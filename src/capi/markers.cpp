@@ -40,11 +40,8 @@ amst_status amst_mesh_set_markers(amst_mesh *mesh, std::int32_t entity, const am
         target.context->require_idle();
         const Entity kind = entity_of(entity);
         const int base = index_base(mesh), count = count_of(*target.current, kind);
-        if (n < 0)
-            throw Failure(Fault::range, "n is negative: " + std::to_string(n));
-        if (ids != nullptr)
-            for (std::int64_t i = 0; i < n; ++i)
-                in(base, ids[i], count, kind);
+        require_number(n);
+        require_ids(base, ids, n, count, kind);
 
         mesh::QuadMesh &marked = target.writable();
         Markers &markers = marked.*markers_of(kind);
@@ -56,8 +53,7 @@ amst_status amst_mesh_set_markers(amst_mesh *mesh, std::int32_t entity, const am
             if (kind == Entity::vertex && value != 0)
                 marked.vertex_flags[i] |= mesh::corner;
         };
-        for (std::int64_t i = 0; i < (ids == nullptr ? count : n); ++i)
-            set(static_cast<std::size_t>(ids == nullptr ? i : ids[i] - base));
+        visit_ids(base, ids, n, count, set);
         if (std::all_of(markers.begin(), markers.end(), [](std::int32_t marker) { return marker == 0; }))
             markers.clear();
     });

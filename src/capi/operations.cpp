@@ -1,13 +1,10 @@
 #include <algorithm>
-#include <numeric>
-#include <span>
 
 #include "capi/change.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/limits.h"
 #include "chords/edit.h"
-#include "index.h"
 #include "reference/reference.h"
 #include "smooth/smooth.h"
 
@@ -50,17 +47,11 @@ std::vector<std::int32_t> for_reduction(bool curved, bool edits_boundary, bool w
 // Sizes are weighed only where what moves is plane, be it on a curved mesh.
 std::vector<std::int32_t> for_smoothing(const mesh::QuadMesh &mesh, const std::vector<Patch> *patches,
                                         bool edits_boundary) {
-    const auto is_plane = [&](std::span<const int> faces) {
-        return !faces.empty() && reference::plane_of(mesh, faces);
-    };
-    bool any = false;
-    if (patches == nullptr) {
-        std::vector<int> all(at(mesh.n_faces()));
-        std::iota(all.begin(), all.end(), 0);
-        any = is_plane(all);
-    } else {
-        any = std::ranges::any_of(*patches, [&](const Patch &patch) { return is_plane(patch.faces); });
-    }
+    const bool any = patches == nullptr
+                         ? mesh.n_faces() > 0 && reference::plane_of(mesh)
+                         : std::ranges::any_of(*patches, [&](const Patch &patch) {
+                               return !patch.faces.empty() && reference::plane_of(mesh, patch.faces);
+                           });
     std::vector<std::int32_t> keys;
     if (any)
         keys.push_back(AMST_OPT_SIZE_WEIGHT);

@@ -154,8 +154,8 @@ private:
 class Removal {
 public:
     Removal(mesh::QuadMesh &mesh, std::int64_t least_faces, const chord::Rules &rules, Order order)
-        : mesh_(mesh), least_faces_(least_faces), order_(order), plane_(plane_of_all(mesh)), chords_(mesh),
-          judge_(mesh, rules), waiting_(chords_.count()) {
+        : mesh_(mesh), least_faces_(least_faces), order_(order), plane_(reference::plane_of(mesh)),
+          chords_(mesh), judge_(mesh, rules), waiting_(chords_.count()) {
         for (std::size_t number = 0; number < chords_.count(); ++number)
             waiting_.push(number, rank(number));
     }
@@ -188,12 +188,6 @@ public:
     }
 
 private:
-    static std::optional<geometry::Plane> plane_of_all(const mesh::QuadMesh &mesh) {
-        std::vector<int> all(at(mesh.n_faces()));
-        std::iota(all.begin(), all.end(), 0);
-        return reference::plane_of(mesh, all);
-    }
-
     double rank(std::size_t number) {
         return order_ == Order::shortest ? static_cast<double>(chords_.length(number))
                                          : width_of(mesh_, chords_.trace(number));

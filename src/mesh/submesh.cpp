@@ -109,7 +109,8 @@ Submesh submesh_of(const QuadMesh &whole, std::span<const int> faces) {
     return part;
 }
 
-void put_back(QuadMesh &whole, const Submesh &part, const QuadMesh &changed) {
+void put_back(QuadMesh &whole, const Submesh &part) {
+    const QuadMesh &changed = part.mesh;
     Twins faces(part.faces), vertices(part.vertices);
     for (const auto &entry : *changed.journal) {
         const QuadMesh::Replacement &asked = *entry;

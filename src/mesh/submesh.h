@@ -11,7 +11,7 @@ namespace alphamst::mesh {
 
 struct Submesh {
     QuadMesh mesh;                    // it has a journal
-    std::vector<int> faces, vertices; // [of the part] in the whole
+    std::vector<int> faces, vertices; // [of the part as it was at first] in the whole
 };
 
 // faces: ascending. With flags, markers, what vertices keep to, and the vertex field "size". Where the whole
@@ -19,8 +19,8 @@ struct Submesh {
 // changes there, as the valences of its vertices are not those of the whole.
 Submesh submesh_of(const QuadMesh &whole, std::span<const int> faces);
 
-// changed: the mesh of the part, after calls of replace_disk and set_point. Does these in the whole, in
-// which nothing has changed since.
-void put_back(QuadMesh &whole, const Submesh &part, const QuadMesh &changed);
+// After calls of replace_disk and set_point for the mesh of the part: does these in the whole, in which
+// nothing has changed since.
+void put_back(QuadMesh &whole, const Submesh &part);
 
 } // namespace alphamst::mesh

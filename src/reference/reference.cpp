@@ -85,12 +85,16 @@ std::optional<geometry::Plane> plane_of(const mesh::QuadMesh &mesh, std::span<co
     return plane;
 }
 
-Reference reference_of(mesh::QuadMesh &mesh) {
+std::optional<geometry::Plane> plane_of(const mesh::QuadMesh &mesh) {
     std::vector<int> faces(at(mesh.n_faces()));
     std::iota(faces.begin(), faces.end(), 0);
+    return plane_of(mesh, faces);
+}
+
+Reference reference_of(mesh::QuadMesh &mesh) {
     Reference reference;
     if (!mesh.surface || mesh.dim() == 2)
-        reference.plane = plane_of(mesh, faces);
+        reference.plane = plane_of(mesh);
     if (reference.plane)
         return reference;
     if (!mesh.surface)

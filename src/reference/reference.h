@@ -57,6 +57,7 @@ Reference reference_of(const mesh::QuadMesh &mesh, std::span<const Patch> patche
 
 // The side from which the faces run counter-clockwise; nothing if they do not lie in a plane.
 std::optional<geometry::Plane> plane_of(const mesh::QuadMesh &mesh, std::span<const int> faces);
+std::optional<geometry::Plane> plane_of(const mesh::QuadMesh &mesh); // of all faces
 
 // The surface at some vertices of the mesh.
 geometry::SurfacePositions positions_on_surface(const mesh::QuadMesh &mesh, const surface::Surface &surface,
