@@ -88,7 +88,7 @@ template <class Function> double error(const QuadMesh &mesh, const char *name, c
 }
 
 // 3,025 faces; half as high eight edges apart. Since a mesh that was improved once stays, it is disturbed
-// before each call, which is another remap: six and six. Found .6 and 8.3 percent.
+// before each call, which is another remap: six and six. Found .5 and 7.2 percent.
 TEST(Reconstruct, AGaussianSurvivesSixAdaptations) {
     QuadMesh mesh = adapt::samples::unstructured(55, 3);
     const auto bell = [](const Eigen::Vector3d &p) {
