@@ -64,8 +64,9 @@ TEST(Orient, InSpaceMostFacesStay) {
 }
 
 TEST(Orient, ComponentsAreTurnedEachForItself) {
-    Grid grid = plane(2, 1), right;
-    for (const double x : grid.points)
+    const Grid one = plane(2, 1);
+    Grid grid = one, right;
+    for (const double x : one.points)
         grid.points.push_back(x + 10);
     grid.faces.insert(grid.faces.end(), {6, 7, 10, 9, 7, 8, 11, 10});
     right = grid;
