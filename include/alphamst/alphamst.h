@@ -832,7 +832,8 @@ AMST_TRY amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            last adapted, or found good, is kept in the vertex field "adapted size", which appears: it is
  *            taken again only if what is wanted there has changed by half of SIZE_BAND, so that an equal
  *            call changes nothing. Remove the field to have all looked at anew. Size errors in the report
- *            are those of the places that change. No effect with EDIT_BOUNDARY 1 or STRATEGY 1.
+ *            are those of the places that change. With EDIT_BOUNDARY 1 vertices of the boundary
+ *            come and go there, too. No effect with STRATEGY 1.
  *  STRATEGY  1: whole chords are removed, the shortest first, or split until no other one can go without
  *            passing the number of faces. No vertex becomes singular. Of the other options only SMOOTH_STEPS
  *            and EDIT_BOUNDARY count, and SIZE_WEIGHT in a plane.

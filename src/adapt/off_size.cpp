@@ -155,8 +155,8 @@ Outcome present(const mesh::QuadMesh &mesh, const std::vector<int> &but) {
 } // namespace
 
 bool goes_by_band(const mesh::QuadMesh &mesh, const Settings &settings) {
-    return settings.size_band > 0 && !settings.edit_boundary &&
-           mesh.field(Entity::vertex, "size") != nullptr && (mesh.dim() == 2 || reference::plane_of(mesh));
+    return settings.size_band > 0 && mesh.field(Entity::vertex, "size") != nullptr &&
+           (mesh.dim() == 2 || reference::plane_of(mesh));
 }
 
 std::vector<int> faces_off_size(const mesh::QuadMesh &mesh, double alpha, const Settings &settings) {

@@ -339,9 +339,11 @@ std::vector<int> Sweep::misspaced() const {
         if (left >= 0 && right >= 0)
             continue;
         const auto [v, w] = mesh_.edge_vertices(e);
+        const std::vector<surface::CurvePlace> &places = reference_.boundary->places;
+        if (places[at(v)].curve < 0 || places[at(w)].curve < 0)
+            continue;
         const Eigen::Vector3d a = reference::point_of(mesh_, v), b = reference::point_of(mesh_, w);
-        if (std::abs(std::log2((b - a).norm() / reference_.edge_length(reference_.boundary->places[at(v)]))) >
-            uneven)
+        if (std::abs(std::log2((b - a).norm() / reference_.edge_length(places[at(v)]))) > uneven)
             vertices.push_back(reference_.boundary->may_go(v) ? v : w);
     }
     return vertices;

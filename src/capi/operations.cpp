@@ -31,7 +31,7 @@ std::vector<std::int32_t> for_whole_mesh(const mesh::QuadMesh &mesh, bool curved
     keys.push_back(AMST_OPT_STRATEGY);
     if (curved)
         keys.push_back(AMST_OPT_EDIT_BOUNDARY);
-    else if (!edits_boundary && mesh.field(Entity::vertex, "size") != nullptr)
+    else if (mesh.field(Entity::vertex, "size") != nullptr)
         keys.push_back(AMST_OPT_SIZE_BAND);
     return keys;
 }

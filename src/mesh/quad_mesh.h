@@ -140,6 +140,7 @@ public:
         Replaced replaced;
     };
     std::optional<std::vector<std::shared_ptr<const Replacement>>> journal;
+    bool is_part() const { return journal.has_value(); } // of another mesh, which goes on beyond
 
     // Removes a chord: merges the ends of each of its edges and glues the two rails of each of its faces
     // to one edge. `sides` are half-edges of its edges in order, each with the next face of the chord on

@@ -171,6 +171,29 @@ std::vector<Boundary::Length> lengths_of(const mesh::QuadMesh &mesh, const Bound
     return lengths;
 }
 
+// Of a part of a mesh, in which each vertex is looked for by itself: where the mesh goes on beyond, the
+// boundary of the part is on no curve. Lengths are those of edges whose faces may change.
+void find_in_part(const mesh::QuadMesh &mesh, Boundary &boundary) {
+    const BoundaryCurves &curves = *boundary.curves;
+    for (const std::vector<int> &cycle : boundary_cycles(mesh)) {
+        for (const int v : cycle)
+            boundary.places[at(v)] =
+                curves.find(point_of(mesh, v), rounding_of_curves * curves.extent());
+        for (std::size_t i = 0; i < cycle.size(); ++i) {
+            const int v = cycle[i], w = cycle[(i + 1) % cycle.size()];
+            const CurvePlace start = boundary.places[at(v)], end = boundary.places[at(w)];
+            const auto [left, right] = mesh.edge_faces(mesh.find_edge(v, w));
+            if (start.curve < 0 || end.curve < 0 || mesh.face_flags[at(std::max(left, right))] != 0)
+                continue;
+            boundary.lengths[at(start.curve)].push_back(
+                {curves.advance(start, curves.way(start, end) / 2).along,
+                 std::log(std::max((point_of(mesh, w) - point_of(mesh, v)).norm(), 1e-300))});
+        }
+    }
+    for (std::vector<Boundary::Length> &lengths : boundary.lengths)
+        std::ranges::sort(lengths, {}, &Boundary::Length::along);
+}
+
 } // namespace
 
 std::shared_ptr<const BoundaryCurves> curves_of_boundary(const mesh::QuadMesh &mesh) {
@@ -190,20 +213,23 @@ Boundary boundary_of(const mesh::QuadMesh &mesh, double longer) {
     boundary.places.resize(at(mesh.n_vertices()));
     boundary.stays.assign(at(mesh.n_vertices()), 1);
     boundary.lengths.resize(at(curves.count()));
-    for (const std::vector<int> &cycle : boundary_cycles(mesh)) {
-        if (!find_places(mesh, curves, cycle, boundary.places)) {
-            for (const int v : cycle)
-                boundary.places[at(v)] = {};
-            continue;
+    const std::vector<std::vector<int>> cycles = boundary_cycles(mesh);
+    if (mesh.is_part())
+        find_in_part(mesh, boundary);
+    else
+        for (const std::vector<int> &cycle : cycles) {
+            if (find_places(mesh, curves, cycle, boundary.places))
+                boundary.lengths[at(boundary.places[at(cycle[0])].curve)] =
+                    lengths_of(mesh, curves, cycle, boundary.places);
+            else
+                for (const int v : cycle)
+                    boundary.places[at(v)] = {};
         }
-        boundary.lengths[at(boundary.places[at(cycle[0])].curve)] =
-            lengths_of(mesh, curves, cycle, boundary.places);
-        for (const int v : cycle) {
-            const CurvePlace place = boundary.places[at(v)];
-            boundary.stays[at(v)] =
-                is_held(mesh, v) || is_corner(curves, place, longer * boundary.present_length(place));
-        }
-    }
+    for (const std::vector<int> &cycle : cycles)
+        for (const int v : cycle)
+            if (const CurvePlace place = boundary.places[at(v)]; place.curve >= 0)
+                boundary.stays[at(v)] =
+                    is_held(mesh, v) || is_corner(curves, place, longer * boundary.present_length(place));
     return boundary;
 }
 

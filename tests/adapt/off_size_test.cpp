@@ -10,6 +10,7 @@
 #include "geometry/quad.h"
 #include "index.h"
 #include "reference/locate.h"
+#include "reference/projection.h"
 #include "transfer/carry.h"
 
 namespace alphamst::adapt {
@@ -49,6 +50,8 @@ Outcome adapted(mesh::QuadMesh &mesh, double alpha = 1, const Settings &settings
     const mesh::QuadMesh before = mesh;
     mesh.reset_origins();
     mesh.begun = std::make_shared<const mesh::QuadMesh>(before);
+    if (settings.edit_boundary)
+        reference::keep_boundary(mesh, {}, settings.tolerance);
     const Outcome outcome = adapt_whole(mesh, alpha, settings, silent);
     transfer::carry(before, mesh, silent);
     mesh.begun.reset();
@@ -153,15 +156,54 @@ TEST(OffSize, PlacesMayTouch) {
     }
 }
 
-TEST(OffSize, IsForPlaneMeshesWithSizesWhoseBoundaryStays) {
+// A front along a wall: vertices come and go there, too, and the wall stays where it is.
+TEST(OffSize, FollowsAFrontAlongTheBoundary) {
+    Settings edits = by_band();
+    edits.edit_boundary = true;
+    mesh::QuadMesh mesh = grid(n, n);
+    mesh.edge_marker.assign(at(mesh.n_edges()), 0);
+    for (int e = 0; e < mesh.n_edges(); ++e) {
+        const auto [v, w] = mesh.edge_vertices(e);
+        if (mesh.point(v)[1] + mesh.point(w)[1] == 0)
+            mesh.edge_marker[at(e)] = 3;
+    }
+    for (int step = 0; step < 8; ++step) {
+        const Size size = spot(6 + 28 * (1 - std::abs(step - 4) / 4.0), 0);
+        want(mesh, size);
+        const Outcome outcome = adapted(mesh, 1, edits);
+        EXPECT_GT(outcome.quality_after, 0.2) << step;
+        EXPECT_LE(outcome.singular_after, 24) << step;
+        EXPECT_NEAR(mesh.n_faces(), wanted_faces(mesh, size), 0.05 * mesh.n_faces()) << step;
+        double area = 0, wall = 0, error = 0;
+        int edges = 0;
+        for (int f = 0; f < mesh.n_faces(); ++f)
+            area += geometry::area_vector(reference::quad_of(mesh, f)).norm();
+        for (int e = 0; e < mesh.n_edges(); ++e) {
+            if (mesh.edge_marker[at(e)] != 3)
+                continue;
+            const auto [v, w] = mesh.edge_vertices(e);
+            const double length = std::abs(mesh.point(w)[0] - mesh.point(v)[0]);
+            EXPECT_EQ(mesh.point(v)[1] + mesh.point(w)[1], 0);
+            const double off = std::log2(length / size((mesh.point(v)[0] + mesh.point(w)[0]) / 2, 0));
+            wall += length;
+            error += off * off;
+            ++edges;
+        }
+        EXPECT_NEAR(area, n * n, 1e-9) << step;
+        EXPECT_NEAR(wall, n, 1e-12) << step;
+        EXPECT_LT(std::sqrt(error / edges), 0.35) << step;
+        const std::uint64_t digest = mesh.checksum();
+        adapted(mesh, 1, edits);
+        EXPECT_EQ(mesh.checksum(), digest) << step;
+    }
+}
+
+TEST(OffSize, IsForPlaneMeshesWithSizes) {
     mesh::QuadMesh mesh = grid(4, 4);
     EXPECT_FALSE(goes_by_band(mesh, by_band()));
     want(mesh, spot(2, 2));
     EXPECT_TRUE(goes_by_band(mesh, by_band()));
     EXPECT_FALSE(goes_by_band(mesh, {}));
-    Settings edits = by_band();
-    edits.edit_boundary = true;
-    EXPECT_FALSE(goes_by_band(mesh, edits));
     mesh::QuadMesh flat = grid(4, 4, 3);
     want(flat, spot(2, 2));
     EXPECT_TRUE(goes_by_band(flat, by_band()));

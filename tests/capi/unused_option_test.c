@@ -3,7 +3,7 @@
 
 #include "grid.h"
 
-enum { n = 16 };
+enum { n = 12 };
 
 static int64_t warnings, stages, cavities;
 static char last_warning[200];
