@@ -167,6 +167,7 @@ const AMST_OPT_STRATEGY = Int32(7)
 const AMST_OPT_ALIGN = Int32(8)
 const AMST_OPT_CHART = Int32(9)
 const AMST_OPT_KEEP_BOUNDARY = Int32(10)
+const AMST_OPT_STARTS = Int32(11)
 const AMST_OPT_MIN_QUALITY = Int32(1000)
 const AMST_OPT_MIN_CONVEXITY = Int32(1001)
 const AMST_OPT_PATCH_FACES = Int32(1002)
@@ -269,6 +270,7 @@ end
     amst_mesh_create_i64(ctx, dim, coords, n_vertices, vertex_stride, component_stride, faces, n_faces, face_stride, corner_stride, corners_per_face, options, out) = @ccall amst_mesh_create_i64(ctx::Ptr{amst_context}, dim::Int32, coords::Ptr{Float64}, n_vertices::Int64, vertex_stride::Int64, component_stride::Int64, faces::Ptr{Int64}, n_faces::Int64, face_stride::Int64, corner_stride::Int64, corners_per_face::Int32, options::Ptr{amst_options}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_read(ctx, path, options, out) = @ccall amst_mesh_read(ctx::Ptr{amst_context}, path::Cstring, options::Ptr{amst_options}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_write(mesh, path) = @ccall amst_mesh_write(mesh::Ptr{amst_mesh}, path::Cstring)::Int32
+    amst_mesh_clone_into(mesh, ctx, out) = @ccall amst_mesh_clone_into(mesh::Ptr{amst_mesh}, ctx::Ptr{amst_context}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_clone(mesh, out) = @ccall amst_mesh_clone(mesh::Ptr{amst_mesh}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_destroy(mesh) = @ccall amst_mesh_destroy(mesh::Ptr{amst_mesh})::Cvoid
     amst_mesh_get_dim(mesh, dim) = @ccall amst_mesh_get_dim(mesh::Ptr{amst_mesh}, dim::Ptr{Int32})::Int32

@@ -72,6 +72,16 @@ end
     @test checksum(mesh) == digest
 end
 
+@testset "threads adapt copies in contexts of their own" begin
+    mesh, _ = grid_with_square()
+    copies = [copy(mesh, Context()) for _ in 1:4]
+    Threads.@threads for i in 1:4
+        adapt!(copies[i], 2)
+    end
+    @test nfaces(copies[1]) == 2 * nfaces(mesh)
+    @test all(own -> checksum(own) == checksum(copies[1]), copies)
+end
+
 @testset "use after close" begin
     mesh, patches = grid_with_square()
     context, options, report = Context(), Options(), smooth!(mesh, patches)
