@@ -1,0 +1,187 @@
+"""Meshes: arrays and files in and out, and what a mesh is asked."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _alphamst
+from .array import Reals, by_strides, filled, reals
+from .boundary import Boundary
+from .chord import Chords
+from .connectivity import Connectivity
+from .context import Context
+from .cross_field import CrossField
+from .exchange import Exchange
+from .field import Fields
+from .flag import Flag, Flags
+from .markers import Markers
+from .operation import Operations
+from .options import Options, chosen
+from .quality import Quality
+from .savepoint import Savepoints
+from .surface import Surface
+
+if TYPE_CHECKING:
+    from typing_extensions import Self, Unpack
+
+    from .options import Settings
+
+__all__ = ["Flag", "Mesh"]
+
+
+class Mesh(
+    Connectivity,
+    Flags,
+    Markers,
+    Fields,
+    CrossField,
+    Surface,
+    Boundary,
+    Savepoints,
+    Quality,
+    Operations,
+    Chords,
+    Exchange,
+):
+    """A mesh of quadrilaterals from arrays; `Mesh.read` takes one from a file.
+
+    ``points`` is (n, dim) with dim 2 or 3. ``faces`` is (m, 4) or (m, 3), corners counter-clockwise, at least
+    one face; -1 as the last of four corners makes a triangle. Triangles are merged in pairs, or split with
+    ``quadrangulate=1``; all given vertices keep their ids. Faces that run another way round than their
+    neighbours, or clockwise in the plane, are turned over, and the log tells how many. Arrays of float64 and
+    of int32 or int64 with any strides are read where they lie; others are converted first. Nothing is kept of
+    them.
+
+    Raises `ArgumentError`, `RangeError` (corner), `NotFiniteError`, `NotQuadError`, `NotManifoldError`.
+
+    >>> mesh = Mesh([[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]], [[0, 1, 4, 3], [1, 2, 5, 4]])
+    >>> mesh
+    <Mesh: 6 vertices, 2 faces>
+    >>> mesh.adapt(1.0).faces_after
+    2
+    """
+
+    __slots__ = ("__weakref__",)
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        faces: ArrayLike,
+        *,
+        context: Context | None = None,
+        options: Options | None = None,
+        **settings: Unpack[Settings],
+    ) -> None:
+        coords, vertex_stride, component_stride = by_strides(points, np.float64)
+        given = np.asarray(faces)
+        if given.size > 0 and given.dtype.kind not in "iu":
+            raise TypeError(f"corners are whole numbers, not {given.dtype}")
+        corners, face_stride, corner_stride = by_strides(given, np.int32 if given.dtype == np.int32 else np.int64)
+        create = _alphamst.amst_mesh_create if corners.dtype == np.int32 else _alphamst.amst_mesh_create_i64
+        create(
+            Context() if context is None else context,
+            coords.shape[1],
+            coords,
+            vertex_stride,
+            component_stride,
+            corners,
+            face_stride,
+            corner_stride,
+            corners.shape[1],
+            chosen(options, settings),
+            self,
+        )
+
+    @classmethod
+    def read(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        context: Context | None = None,
+        options: Options | None = None,
+        **settings: Unpack[Settings],
+    ) -> Self:
+        """A mesh from a file.
+
+        The format is told by the extension: .off, .obj, .ply, .msh (Gmsh 1, 2.2, 4.0 and 4.1 ASCII), .su2,
+        .vtk (legacy). Dim is 2 when every z is 0. Numbers of points, boundaries and regions are `markers`,
+        with their names; the boundaries of an .su2 file get the numbers 1, 2, ... in the order of the file.
+        What numbers could not be kept is told by the log. Raises as `Mesh`, and `FileError`, `FormatError`,
+        `UnsupportedError`.
+        """
+        mesh = cls.__new__(cls)
+        given = Context() if context is None else context
+        _alphamst.amst_mesh_read(given, os.fspath(path), chosen(options, settings), mesh)
+        return mesh
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write to a file of one of the formats that are read, or to an .svg, a picture.
+
+        All markers and names are kept by .msh; what another format has no place for is told by the log. Raises
+        `FileError`, `UnsupportedError` (extension).
+        """
+        _alphamst.amst_mesh_write(self, os.fspath(path))
+
+    def copy(self) -> Self:
+        """A mesh of its own, in the same context, with all but the savepoints."""
+        mesh = type(self).__new__(type(self))
+        _alphamst.amst_mesh_clone(self, mesh)
+        return mesh
+
+    def __repr__(self) -> str:
+        return super().__repr__() if self.closed else f"<Mesh: {self.n_vertices} vertices, {self.n_faces} faces>"
+
+    @property
+    def context(self) -> Context:
+        """What it was made in."""
+        return self.parent
+
+    @property
+    def dim(self) -> int:
+        """Coordinates of a point, 2 or 3."""
+        return _alphamst.amst_mesh_get_dim(self)
+
+    @property
+    def n_vertices(self) -> int:
+        """Number of vertices."""
+        return _alphamst.amst_mesh_get_count(self, 0)
+
+    @property
+    def n_edges(self) -> int:
+        """Number of edges."""
+        return _alphamst.amst_mesh_get_count(self, 1)
+
+    @property
+    def n_faces(self) -> int:
+        """Number of faces."""
+        return _alphamst.amst_mesh_get_count(self, 2)
+
+    @property
+    def revision(self) -> int:
+        """Rises with every change of connectivity and never repeats, but that `rollback` returns to one."""
+        return _alphamst.amst_mesh_get_revision(self)
+
+    def checksum(self) -> int:
+        """64-bit digest of coordinates, connectivity, flags and markers: equal for equal meshes."""
+        return _alphamst.amst_mesh_get_checksum(self)
+
+    def check(self) -> None:
+        """Raise an `AlphaMSTError` with the first fault of the connectivity or, for dim 2, the orientation."""
+        _alphamst.amst_mesh_check(self)
+
+    def points(self, out: Reals | None = None) -> Reals:
+        """(n, dim) coordinates, in a new array or in that of the caller, which may be a view."""
+        return filled(
+            lambda array: _alphamst.amst_mesh_get_points(self, array), np.float64, (self.n_vertices, self.dim), out
+        )
+
+    def set_points(self, points: ArrayLike) -> None:
+        """New positions (n, dim) for all vertices; connectivity and revision stay.
+
+        Raises `RangeError` for another number of vertices, `NotFiniteError`.
+        """
+        _alphamst.amst_mesh_set_points(self, reals(points, self.dim))
