@@ -111,6 +111,7 @@ class Outcome:
         self.report, self.patch = report, patch
 
     def get(self, key: int) -> int | float:
+        """What has that number in ``alphamst.h``, see `Report.get`."""
         return self.report.get(key, self.patch)
 
 
