@@ -60,5 +60,9 @@ from .quality import Summary
 from .report import Outcome, Report
 
 __version__ = "0.1.0"
-__all__ = [name for name in dir() if name[0] != "_" and (name[0].isupper() or name in (
-    "library_has", "library_version", "show_bar", "status_name"))]
+__all__ = [
+    name
+    for name in dir()
+    if name[0] != "_"
+    and (name[0].isupper() or name in ("library_has", "library_version", "show_bar", "status_name"))
+]

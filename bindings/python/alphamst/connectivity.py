@@ -17,11 +17,15 @@ class Connectivity(Handle):
 
     def faces(self, out: Ids | None = None) -> Ids:
         """(n_faces, 4) vertices of every face, counter-clockwise."""
-        return filled(lambda array: _alphamst.amst_mesh_get_faces(self, array), np.int32, (self.n_faces, 4), out)
+        return filled(
+            lambda array: _alphamst.amst_mesh_get_faces(self, array), np.int32, (self.n_faces, 4), out
+        )
 
     def edges(self, out: Ids | None = None) -> Ids:
         """(n_edges, 2) vertices of every edge, the smaller id first."""
-        return filled(lambda array: _alphamst.amst_mesh_get_edges(self, array), np.int32, (self.n_edges, 2), out)
+        return filled(
+            lambda array: _alphamst.amst_mesh_get_edges(self, array), np.int32, (self.n_edges, 2), out
+        )
 
     def edge_faces(self, out: Ids | None = None) -> Ids:
         """(n_edges, 2) faces left and right of every edge, -1 beyond the boundary."""
@@ -41,14 +45,18 @@ class Connectivity(Handle):
 
         Ids here and in `split_edges` are those when the mesh was created or read, whatever became of it.
         """
-        return as_long_as_the_answer(lambda out: _alphamst.amst_mesh_get_crossed_edges(self, out)).reshape(-1, 2)
+        return as_long_as_the_answer(lambda out: _alphamst.amst_mesh_get_crossed_edges(self, out)).reshape(
+            -1, 2
+        )
 
     def split_edges(self) -> Ids:
         """(n, 3): two vertices and the new one at the midpoint of the edge between them.
 
         That edge may be half of another one.
         """
-        return as_long_as_the_answer(lambda out: _alphamst.amst_mesh_get_split_edges(self, out)).reshape(-1, 3)
+        return as_long_as_the_answer(lambda out: _alphamst.amst_mesh_get_split_edges(self, out)).reshape(
+            -1, 3
+        )
 
     def valences(self, out: Ids | None = None) -> Ids:
         """(n_vertices,) number of edges at each vertex."""

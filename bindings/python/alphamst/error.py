@@ -157,7 +157,9 @@ CLASSES = {
 def make_failure(code: int, text: str, entity: int, id: int, patch: int) -> AlphaMSTError:
     """Called by the extension for every failure."""
     failure = CLASSES.get(code, AlphaMSTError)
-    return failure(code, text, name_of(ENTITIES, entity), id if id >= 0 else None, patch if patch >= 0 else None)
+    return failure(
+        code, text, name_of(ENTITIES, entity), id if id >= 0 else None, patch if patch >= 0 else None
+    )
 
 
 _alphamst.set_failure(make_failure)

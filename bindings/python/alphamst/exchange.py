@@ -41,7 +41,9 @@ class Exchange(Handle):
         """
         import meshio
 
-        kept = [k for k, block in enumerate(mesh.cells) if block.type in ("vertex", "line", "triangle", "quad")]
+        kept = [
+            k for k, block in enumerate(mesh.cells) if block.type in ("vertex", "line", "triangle", "quad")
+        ]
         groups = mesh.cell_data.get(GROUP, [np.zeros(len(block.data), int) for block in mesh.cells])
         data = [np.asarray(groups[k], int) for k in kept]
         plain = meshio.Mesh(

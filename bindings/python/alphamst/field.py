@@ -69,7 +69,9 @@ class Fields(Handle):
         components = _alphamst.amst_mesh_get_field(self, kind, name, None) // count
         one = components == 1 and (out is None or out.ndim == 1)
         shape = (count,) if one else (count, components)
-        return filled(lambda array: _alphamst.amst_mesh_get_field(self, kind, name, array), np.float64, shape, out)
+        return filled(
+            lambda array: _alphamst.amst_mesh_get_field(self, kind, name, array), np.float64, shape, out
+        )
 
     def remove_field(self, entity: str | int, name: str) -> None:
         """Raises `ArgumentError` (entity, name), `NotFoundError`."""

@@ -24,7 +24,9 @@ class Markers(Handle):
         """
         kind = number_of(ENTITIES, entity)
         count = _alphamst.amst_mesh_get_count(self, kind)
-        return filled(lambda array: _alphamst.amst_mesh_get_markers(self, kind, array), np.int32, (count,), out)
+        return filled(
+            lambda array: _alphamst.amst_mesh_get_markers(self, kind, array), np.int32, (count,), out
+        )
 
     def set_markers(self, entity: str | int, which: ArrayLike | None, value: int) -> None:
         """Give the entities with these ids, None: all, the marker ``value``, 0 for none.

@@ -80,7 +80,9 @@ class Mesh(
         given = np.asarray(faces)
         if given.size > 0 and given.dtype.kind not in "iu":
             raise TypeError(f"corners are whole numbers, not {given.dtype}")
-        corners, face_stride, corner_stride = by_strides(given, np.int32 if given.dtype == np.int32 else np.int64)
+        corners, face_stride, corner_stride = by_strides(
+            given, np.int32 if given.dtype == np.int32 else np.int64
+        )
         create = _alphamst.amst_mesh_create if corners.dtype == np.int32 else _alphamst.amst_mesh_create_i64
         create(
             Context() if context is None else context,
@@ -133,7 +135,9 @@ class Mesh(
         return mesh
 
     def __repr__(self) -> str:
-        return super().__repr__() if self.closed else f"<Mesh: {self.n_vertices} vertices, {self.n_faces} faces>"
+        return (
+            super().__repr__() if self.closed else f"<Mesh: {self.n_vertices} vertices, {self.n_faces} faces>"
+        )
 
     @property
     def context(self) -> Context:
@@ -176,7 +180,10 @@ class Mesh(
     def points(self, out: Reals | None = None) -> Reals:
         """(n, dim) coordinates, in a new array or in that of the caller, which may be a view."""
         return filled(
-            lambda array: _alphamst.amst_mesh_get_points(self, array), np.float64, (self.n_vertices, self.dim), out
+            lambda array: _alphamst.amst_mesh_get_points(self, array),
+            np.float64,
+            (self.n_vertices, self.dim),
+            out,
         )
 
     def set_points(self, points: ArrayLike) -> None:

@@ -61,7 +61,10 @@ class Quality(Handle):
         """
         number = number_of(METRICS, metric)
         return filled(
-            lambda array: _alphamst.amst_mesh_get_quality(self, number, array), np.float64, (self.n_faces,), out
+            lambda array: _alphamst.amst_mesh_get_quality(self, number, array),
+            np.float64,
+            (self.n_faces,),
+            out,
         )
 
     def summary(self, metric: str | int) -> Summary:

@@ -105,7 +105,7 @@ class Report(Handle):
 class Outcome:
     """What an operation did to one patch: the numbers of `Report`."""
 
-    __slots__ = ("patch", "report")
+    __slots__ = {"report": "What it is part of.", "patch": "The id of the patch."}
 
     def __init__(self, report: Report, patch: int) -> None:
         self.report, self.patch = report, patch

@@ -18,15 +18,27 @@ class In(unittest.TestCase):
         padded = np.full((40, 5), np.nan)
         padded[::2, 1:5:2] = xy
         for given in [
-            xy, padded[::2, 1:5:2], np.asfortranarray(xy), xy.astype(np.float32), xy[::-1][::-1], xy[::-1].copy()[::-1],
-            xy.tolist(), [[Fraction(c) for c in row] for row in xy],
+            xy,
+            padded[::2, 1:5:2],
+            np.asfortranarray(xy),
+            xy.astype(np.float32),
+            xy[::-1][::-1],
+            xy[::-1].copy()[::-1],
+            xy.tolist(),
+            [[Fraction(c) for c in row] for row in xy],
         ]:
             self.assertEqual(Mesh(given, corners).checksum(), wanted)
         wide = np.zeros((12, 6), np.int32)
         wide[:, 1:5] = corners
         for given in [
-            corners, corners.astype(np.int64), wide[:, 1:5], np.asfortranarray(corners), corners.astype(np.uint8),
-            np.asfortranarray(corners.astype(np.int64)), corners[::-1].copy()[::-1], corners.tolist(),
+            corners,
+            corners.astype(np.int64),
+            wide[:, 1:5],
+            np.asfortranarray(corners),
+            corners.astype(np.uint8),
+            np.asfortranarray(corners.astype(np.int64)),
+            corners[::-1].copy()[::-1],
+            corners.tolist(),
             corners.astype(">i4"),
         ]:
             self.assertEqual(Mesh(xy, given).checksum(), wanted)
@@ -64,7 +76,10 @@ class Out(unittest.TestCase):
         for dtype, order in ((np.float32, "C"), (np.float64, "F")):
             self.assertTrue((mesh.points(np.zeros((20, 2), dtype, order)) == mesh.points()).all())
         for get, shape in (
-            (mesh.faces, (12, 4)), (mesh.edges, (31, 2)), (mesh.edge_faces, (31, 2)), (mesh.valences, (20,)),
+            (mesh.faces, (12, 4)),
+            (mesh.edges, (31, 2)),
+            (mesh.edge_faces, (31, 2)),
+            (mesh.valences, (20,)),
         ):
             for dtype in (np.int32, np.int64):
                 out = np.zeros(shape, dtype)
@@ -76,9 +91,12 @@ class Out(unittest.TestCase):
     def test_wrong_shapes(self):
         mesh = grid(4, 3)
         for call in [
-            lambda: mesh.points(np.zeros((19, 2))), lambda: mesh.points(np.zeros((20, 3))),
-            lambda: mesh.faces(np.zeros((13, 4), np.int32)), lambda: mesh.edges(np.zeros((2, 31), np.int32)),
-            lambda: mesh.valences(np.zeros(21, np.int32)), lambda: mesh.quality("area", np.zeros(11)),
+            lambda: mesh.points(np.zeros((19, 2))),
+            lambda: mesh.points(np.zeros((20, 3))),
+            lambda: mesh.faces(np.zeros((13, 4), np.int32)),
+            lambda: mesh.edges(np.zeros((2, 31), np.int32)),
+            lambda: mesh.valences(np.zeros(21, np.int32)),
+            lambda: mesh.quality("area", np.zeros(11)),
         ]:
             self.assertRaises(ValueError, call)
         locked = np.zeros((20, 2))

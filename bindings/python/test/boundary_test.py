@@ -72,8 +72,10 @@ class Projection(unittest.TestCase):
         mesh = disk()
         before = mesh.checksum()
         for error, project in [
-            (alphamst.ProjectionError, lambda markers, xy: None), (alphamst.ProjectionError, lambda markers, xy: 3 * xy),
-            (alphamst.ProjectionError, lambda markers, xy: xy * np.nan), (ValueError, lambda markers, xy: xy[1:]),
+            (alphamst.ProjectionError, lambda markers, xy: None),
+            (alphamst.ProjectionError, lambda markers, xy: 3 * xy),
+            (alphamst.ProjectionError, lambda markers, xy: xy * np.nan),
+            (ValueError, lambda markers, xy: xy[1:]),
             (TypeError, lambda xy: xy),
         ]:
             mesh.set_projection(project)

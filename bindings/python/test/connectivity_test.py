@@ -38,7 +38,9 @@ class Connectivity(unittest.TestCase):
         self.assertEqual(grid(4, 3).valences().tolist(), wanted)
         self.assertEqual(grid(4, 3).singularities().tolist(), [])
         corners = [[(v >> c) & 1 for c in range(3)] for v in range(8)]
-        cube = Mesh(corners, [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+        cube = Mesh(
+            corners, [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+        )
         self.assertEqual(cube.singularities().tolist(), list(range(8)))
 
     def test_pairs_of_triangles(self):

@@ -87,7 +87,10 @@ class Progress(unittest.TestCase):
         def ask(fraction, stage):
             self.assertEqual((mesh.checksum(), mesh.copy().n_faces), (before, 100))
             for change in (
-                mesh.smooth, lambda: context.set_threads(1), lambda: context.set_progress(None), mesh.mark,
+                mesh.smooth,
+                lambda: context.set_threads(1),
+                lambda: context.set_progress(None),
+                mesh.mark,
                 lambda: patches.add_rings(0, 1),
             ):
                 try:
@@ -143,10 +146,13 @@ class Interrupt(unittest.TestCase):
         """
         here = os.path.dirname(os.path.abspath(__file__))
         done = subprocess.run(
-            [sys.executable, "-c", textwrap.dedent(program)], cwd=here, capture_output=True, text=True, timeout=60
+            [sys.executable, "-c", textwrap.dedent(program)],
+            cwd=here,
+            capture_output=True,
+            text=True,
+            timeout=60,
         )
         self.assertEqual((done.stdout, done.stderr), ("as before\n", ""))
-
 
 
 class Log(unittest.TestCase):

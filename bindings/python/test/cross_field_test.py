@@ -22,4 +22,6 @@ class CrossField(unittest.TestCase):
         turned = [np.cos(np.pi / 6), np.sin(np.pi / 6), 0]
         mesh.set_field("face", "cross", [turned] * 4, carry="inherit")
         self.assertAlmostEqual(mesh.alignment(), 30)
-        self.assertRaises(alphamst.RangeError, lambda: mesh.set_field("face", "cross", range(4), carry="inherit"))
+        self.assertRaises(
+            alphamst.RangeError, lambda: mesh.set_field("face", "cross", range(4), carry="inherit")
+        )

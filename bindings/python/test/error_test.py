@@ -24,7 +24,9 @@ class Errors(unittest.TestCase):
         patches = Patches(mesh, repair_patches=0)
         patches.add_faces([3, 4])
         failure = self.failure(lambda: patches.add_faces([5, 4, 6]))
-        self.assertEqual((type(failure), failure.entity, failure.id, failure.patch), (alphamst.PatchError, "face", 4, 0))
+        self.assertEqual(
+            (type(failure), failure.entity, failure.id, failure.patch), (alphamst.PatchError, "face", 4, 0)
+        )
         self.assertTrue(str(failure).endswith("(face 4, patch 0)"))
 
         failure = self.failure(lambda: Mesh.read("nowhere.msh"))

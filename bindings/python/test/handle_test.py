@@ -68,17 +68,30 @@ class Ends(unittest.TestCase):
         for handle in (context, options, report, patches):
             handle.close()
         for call in [
-            lambda: context.set_threads(1), lambda: context.set_progress(print), lambda: context.progress,
-            lambda: Mesh(points(1, 1), faces(1, 1), context=context), lambda: options.seed,
-            lambda: setattr(options, "seed", 1), lambda: mesh.clean(options=options),  # not: all defaults
+            lambda: context.set_threads(1),
+            lambda: context.set_progress(print),
+            lambda: context.progress,
+            lambda: Mesh(points(1, 1), faces(1, 1), context=context),
+            lambda: options.seed,
+            lambda: setattr(options, "seed", 1),
+            lambda: mesh.clean(options=options),  # not: all defaults
             lambda: mesh.smooth(patches),  # not: the whole mesh
-            lambda: patches.add_rings(0, 1), lambda: report.status, lambda: report.origin("face"),
+            lambda: patches.add_rings(0, 1),
+            lambda: report.status,
+            lambda: report.origin("face"),
         ]:
             self.assertRaisesRegex(ValueError, "is closed", call)
         mesh.close()
         for call in (
-            mesh.points, mesh.faces, mesh.singularities, mesh.copy, mesh.check, mesh.mark, mesh.clean,
-            lambda: Patches(mesh), lambda: mesh.set_projection(None),
+            mesh.points,
+            mesh.faces,
+            mesh.singularities,
+            mesh.copy,
+            mesh.check,
+            mesh.mark,
+            mesh.clean,
+            lambda: Patches(mesh),
+            lambda: mesh.set_projection(None),
         ):
             self.assertRaisesRegex(ValueError, "is closed", call)
 
@@ -90,7 +103,10 @@ class Ends(unittest.TestCase):
     def test_wrong_kinds(self):
         mesh, patches = grid_with_square()
         for call in [
-            lambda: mesh.smooth(mesh), lambda: Patches(patches), lambda: mesh.clean(options=7), lambda: Patches(None),
+            lambda: mesh.smooth(mesh),
+            lambda: Patches(patches),
+            lambda: mesh.clean(options=7),
+            lambda: Patches(None),
             lambda: Mesh(points(1, 1), faces(1, 1), context=mesh),
         ]:
             self.assertRaises(TypeError, call)
@@ -116,11 +132,12 @@ class Threads(unittest.TestCase):
     def test_read_one_mesh_and_end_what_they_made(self):
         mesh, _ = grid_with_square()
         digest = mesh.checksum()
+        several = [Patches(mesh) for _ in range(16)]
+        for patches in several:
+            patches.add_rings(60, 2)  # changes patches, and needs the mesh alone
 
         def read(i):
-            own = mesh.copy()
-            patches = Patches(mesh)
-            patches.add_rings(60, 2)
+            own, patches = mesh.copy(), several[i]
             with self.assertRaises(alphamst.RangeError) as caught:
                 patches.faces(i + 1)
             self.assertEqual(caught.exception.patch, i + 1)  # errors stay on their thread
@@ -139,8 +156,14 @@ class Threads(unittest.TestCase):
 
         def try_all():
             for call in (
-                mesh.points, mesh.smooth, mesh.close, lambda: patches.faces(0), lambda: len(patches),
-                lambda: context.set_threads(2), other.smooth, patches.close,
+                mesh.points,
+                mesh.smooth,
+                mesh.close,
+                lambda: patches.faces(0),
+                lambda: len(patches),
+                lambda: context.set_threads(2),
+                other.smooth,
+                patches.close,
             ):
                 with self.assertRaises(alphamst.StateError) as caught:
                     call()

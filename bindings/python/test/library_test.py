@@ -34,8 +34,11 @@ class Library(unittest.TestCase):
         for name in alphamst.__all__:
             thing = getattr(alphamst, name)
             self.assertTrue(inspect.getdoc(thing), name)
-            ours = [kind for kind in inspect.getmro(thing) if kind.__module__.startswith("alphamst")] if (
-                inspect.isclass(thing)) else []
+            ours = (
+                [kind for kind in inspect.getmro(thing) if kind.__module__.startswith("alphamst")]
+                if (inspect.isclass(thing))
+                else []
+            )
             for member in {member for kind in ours for member in vars(kind) if not member.startswith("_")}:
                 self.assertTrue(inspect.getdoc(getattr(thing, member)), f"{name}.{member}")
 

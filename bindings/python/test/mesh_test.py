@@ -13,7 +13,9 @@ from grid import faces, grid, points
 class Numbers(unittest.TestCase):
     def test_counts_tell_themselves_apart(self):
         mesh = grid(4, 3)
-        self.assertEqual((mesh.dim, mesh.n_vertices, mesh.n_edges, mesh.n_faces, mesh.revision), (2, 20, 31, 12, 0))
+        self.assertEqual(
+            (mesh.dim, mesh.n_vertices, mesh.n_edges, mesh.n_faces, mesh.revision), (2, 20, 31, 12, 0)
+        )
         lifted = Mesh(np.column_stack([points(4, 3), np.full(20, 2.5)]), faces(4, 3))
         self.assertEqual(lifted.dim, 3)
         self.assertTrue((lifted.points()[:, 2] == 2.5).all())

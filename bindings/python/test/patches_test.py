@@ -22,12 +22,15 @@ class Adding(unittest.TestCase):
         self.assertEqual(patches.add_faces([9, 8, 9, 19, 18]), 3)
         self.assertEqual(patches.faces(3).tolist(), [8, 9, 18, 19])
         for error, call in [
-            (alphamst.RangeError, lambda: patches.faces(4)), (alphamst.RangeError, lambda: patches.faces(-1)),
-            (alphamst.RangeError, lambda: patches.add_faces([100])), (alphamst.PatchError, lambda: patches.add_faces([])),
+            (alphamst.RangeError, lambda: patches.faces(4)),
+            (alphamst.RangeError, lambda: patches.faces(-1)),
+            (alphamst.RangeError, lambda: patches.add_faces([100])),
+            (alphamst.PatchError, lambda: patches.add_faces([])),
             (alphamst.ArgumentError, lambda: patches.add_ball((1, 1), -1)),
             (alphamst.PatchError, lambda: patches.add_ball((5, 5, 500), 1)),  # z is passed on
             (alphamst.ArgumentError, lambda: patches.add_box((5, 5), (1, 1))),
-            (alphamst.RangeError, lambda: patches.add_rings(121, 1)), (ValueError, lambda: patches.add_ball((1,), 1)),
+            (alphamst.RangeError, lambda: patches.add_rings(121, 1)),
+            (ValueError, lambda: patches.add_ball((1,), 1)),
         ]:
             self.assertRaises(error, call)
         self.assertEqual(len(patches), 4)

@@ -14,7 +14,11 @@ class Quality(unittest.TestCase):
         self.assertEqual(list(quality.METRICS.values()), list(range(20)))
         values = {metric: mesh.quality(metric)[0] for metric in quality.METRICS}
         for metric, value in {
-            "area": 7, "max_angle": 135, "min_angle": math.degrees(math.atan(1.5)), "edge_ratio": 4, "warpage": 1,
+            "area": 7,
+            "max_angle": 135,
+            "min_angle": math.degrees(math.atan(1.5)),
+            "edge_ratio": 4,
+            "warpage": 1,
         }.items():
             self.assertAlmostEqual(values[metric], value)
         for metric, number in quality.METRICS.items():

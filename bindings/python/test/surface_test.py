@@ -20,10 +20,12 @@ class Surface(unittest.TestCase):
     def test_refused(self):
         mesh = grid(3)
         for error, points, triangles in [
-            (alphamst.RangeError, CORNERS, [[0, 1, 2], [0, 2, 4]]), (alphamst.RangeError, CORNERS, [[-1, 0, 1]]),
+            (alphamst.RangeError, CORNERS, [[0, 1, 2], [0, 2, 4]]),
+            (alphamst.RangeError, CORNERS, [[-1, 0, 1]]),
             (alphamst.RangeError, CORNERS, np.zeros((0, 3), int)),
             (alphamst.RangeError, np.zeros((0, 2)), [[0, 1, 2]]),  # none, not the mesh
             (alphamst.NotFiniteError, [[0, 0], [1, 0], [np.nan, 1]], [[0, 1, 2]]),
-            (ValueError, np.zeros((4, 3)), [[0, 1, 2]]), (ValueError, CORNERS, np.zeros((1, 4), int)),
+            (ValueError, np.zeros((4, 3)), [[0, 1, 2]]),
+            (ValueError, CORNERS, np.zeros((1, 4), int)),
         ]:
             self.assertRaises(error, lambda: mesh.set_surface(points, triangles))
