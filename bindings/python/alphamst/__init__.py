@@ -24,7 +24,6 @@ Rules that hold for everything here:
   ``alphamst.h``, for what a later library knows and this package does not.
 """
 
-from .boundary import Projected
 from .chord import Chord, Refusal
 from .context import Context, show_bar
 from .error import (
@@ -61,8 +60,44 @@ from .report import Outcome, Report
 
 __version__ = "0.1.0"
 __all__ = [
-    name
-    for name in dir()
-    if name[0] != "_"
-    and (name[0].isupper() or name in ("library_has", "library_version", "show_bar", "status_name"))
+    "AlphaMSTError",
+    "ArgumentError",
+    "BufferTooSmallError",
+    "CancelledError",
+    "Check",
+    "Chord",
+    "ChordError",
+    "Context",
+    "Defect",
+    "FileError",
+    "Flag",
+    "FormatError",
+    "GeometryError",
+    "InternalError",
+    "Mesh",
+    "NoFillingError",
+    "NoMemoryError",
+    "NotFiniteError",
+    "NotFoundError",
+    "NotManifoldError",
+    "NotQuadError",
+    "NullError",
+    "Options",
+    "Outcome",
+    "Overlap",
+    "PatchError",
+    "Patches",
+    "Prediction",
+    "ProjectionError",
+    "RangeError",
+    "Refusal",
+    "Report",
+    "StaleError",
+    "StateError",
+    "Summary",
+    "UnsupportedError",
+    "library_has",
+    "library_version",
+    "show_bar",
+    "status_name",
 ]

@@ -12,7 +12,9 @@ import numpy as np
 from .handle import Handle
 
 if TYPE_CHECKING:
-    from typing_extensions import Self, Unpack
+    from typing import Self
+
+    from typing_extensions import Unpack
 
     from .context import Context
     from .options import Options, Settings

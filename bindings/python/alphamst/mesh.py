@@ -26,7 +26,9 @@ from .savepoint import Savepoints
 from .surface import Surface
 
 if TYPE_CHECKING:
-    from typing_extensions import Self, Unpack
+    from typing import Self
+
+    from typing_extensions import Unpack
 
     from .options import Settings
 

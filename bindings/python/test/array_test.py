@@ -4,11 +4,9 @@ import unittest
 from fractions import Fraction
 
 import numpy as np
-
-from alphamst import array
-
 from grid import faces, grid, points
-from alphamst import Mesh
+
+from alphamst import Mesh, array
 
 
 class In(unittest.TestCase):

@@ -2,10 +2,10 @@ import gc
 import unittest
 
 import numpy as np
+from grid import faces, points
 
 import alphamst
 from alphamst import Mesh
-from grid import faces, points
 
 
 def disk():

@@ -1,10 +1,10 @@
 import unittest
 
 import numpy as np
+from grid import grid, grid_with_square
 
 import alphamst
 from alphamst import Refusal
-from grid import grid, grid_with_square
 
 
 class Chords(unittest.TestCase):

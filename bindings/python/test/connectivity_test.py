@@ -1,11 +1,10 @@
 import unittest
 
 import numpy as np
+from grid import faces, grid, points
 
 import alphamst
 from alphamst import Mesh
-
-from grid import faces, grid, points
 
 
 class Connectivity(unittest.TestCase):

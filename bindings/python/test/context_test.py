@@ -6,10 +6,11 @@ import sys
 import textwrap
 import unittest
 
-import alphamst
-from alphamst import Context, context as module, show_bar
-
 from grid import grid, two_patches
+
+import alphamst
+from alphamst import Context, show_bar
+from alphamst import context as module
 
 
 class Stop(Exception):

@@ -1,9 +1,9 @@
 import unittest
 
 import numpy as np
+from grid import grid
 
 import alphamst
-from grid import grid
 
 
 class CrossField(unittest.TestCase):

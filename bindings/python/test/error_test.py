@@ -1,10 +1,10 @@
 import pickle
 import unittest
 
+from grid import grid
+
 import alphamst
 from alphamst import Mesh, Options, Patches, error
-
-from grid import grid
 
 
 class Errors(unittest.TestCase):

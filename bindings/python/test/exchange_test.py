@@ -3,9 +3,9 @@ import unittest
 
 import meshio
 import numpy as np
+from grid import faces, grid, grid_with_square, points
 
 from alphamst import Mesh
-from grid import faces, grid, grid_with_square, points
 
 
 class Meshio(unittest.TestCase):

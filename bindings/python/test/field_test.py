@@ -1,10 +1,10 @@
 import unittest
 
 import numpy as np
+from grid import grid, grid_with_square
 
 import alphamst
 from alphamst import Mesh
-from grid import grid, grid_with_square
 
 COUNTS = {"vertex": 16, "edge": 24, "face": 9}
 

@@ -1,10 +1,10 @@
 import unittest
 
 import numpy as np
+from grid import faces, grid, points
 
 import alphamst
 from alphamst import Flag, Mesh
-from grid import faces, grid, points
 
 COUNTS = {"vertex": 16, "edge": 24, "face": 9}
 

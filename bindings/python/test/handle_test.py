@@ -7,10 +7,10 @@ import threading
 import unittest
 import weakref
 
+from grid import faces, grid, grid_with_square, points
+
 import alphamst
 from alphamst import Context, Mesh, Options, Patches
-
-from grid import faces, grid, grid_with_square, points
 
 
 def new_world():
@@ -48,11 +48,13 @@ class Ends(unittest.TestCase):
                     USES[rest](world[rest])
 
     def test_a_circle_is_collected(self):
-        mesh = grid(2)
-        mesh.context.set_progress(lambda fraction, stage: mesh.n_faces)
-        mesh.set_projection(lambda markers, xy: xy + mesh.n_faces)
-        seen = weakref.ref(mesh)
-        del mesh
+        def made():
+            mesh = grid(2)
+            mesh.context.set_progress(lambda fraction, stage: mesh.n_faces)
+            mesh.set_projection(lambda markers, xy: xy + mesh.n_faces)
+            return weakref.ref(mesh)
+
+        seen = made()
         gc.collect()
         self.assertIsNone(seen())
 

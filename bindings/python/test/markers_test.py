@@ -3,10 +3,10 @@ import tempfile
 import unittest
 
 import numpy as np
+from grid import grid
 
 import alphamst
 from alphamst import Flag, Mesh
-from grid import grid
 
 COUNTS = {"vertex": 16, "edge": 24, "face": 9}
 

@@ -3,11 +3,10 @@ import tempfile
 import unittest
 
 import numpy as np
+from grid import faces, grid, points
 
 import alphamst
 from alphamst import Mesh
-
-from grid import faces, grid, points
 
 
 class Numbers(unittest.TestCase):

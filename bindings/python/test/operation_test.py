@@ -1,10 +1,10 @@
 import unittest
 
 import numpy as np
+from grid import faces, grid, grid_with_square, points, square
 
 import alphamst
 from alphamst import Context, Mesh, Options, Patches
-from grid import faces, grid, grid_with_square, points, square
 
 
 class Operations(unittest.TestCase):

@@ -1,10 +1,11 @@
 import unittest
 
 import numpy as np
+from grid import grid
 
 import alphamst
-from alphamst import Mesh, Options, options as module
-from grid import grid
+from alphamst import Mesh, Options
+from alphamst import options as module
 
 DEFAULTS = {
     "seed": 0,

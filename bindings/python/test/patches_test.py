@@ -3,10 +3,10 @@ import tempfile
 import unittest
 
 import numpy as np
+from grid import grid, grid_with_square, square
 
 import alphamst
 from alphamst import Check, Defect, Options, Patches
-from grid import grid, grid_with_square, square
 
 
 class Adding(unittest.TestCase):

@@ -2,10 +2,10 @@ import math
 import unittest
 
 import numpy as np
+from grid import faces, grid, points
 
 import alphamst
 from alphamst import Mesh, quality
-from grid import faces, grid, points
 
 
 class Quality(unittest.TestCase):

@@ -2,10 +2,10 @@ import math
 import unittest
 
 import numpy as np
+from grid import grid_with_square, square
 
 import alphamst
 from alphamst import report as module
-from grid import grid_with_square, square
 
 
 class Report(unittest.TestCase):

@@ -1,8 +1,9 @@
 import unittest
 
+from grid import grid_with_square
+
 import alphamst
 from alphamst import Patches
-from grid import grid_with_square
 
 
 class Savepoints(unittest.TestCase):

@@ -1,9 +1,9 @@
 import unittest
 
 import numpy as np
+from grid import grid
 
 import alphamst
-from grid import grid
 
 CORNERS = np.array([[0, 0], [3, 0], [3, 3], [0, 3]])
 
