@@ -23,7 +23,7 @@ def simplify(path, picture=None):
         is_left = done.status < 0
         left += is_left
         numbers = f"{done.faces_before:6} {done.faces_wanted:6} {done.faces_after:6} {done.singular_after:9}"
-        print(f"{patch:5} {numbers}{'  left' if is_left else ''}")
+        print(f"{patch + 1:5} {numbers}{'  left' if is_left else ''}")
     print(f"{left} of {n} patches left")
     if picture:
         patches.write(picture)

@@ -35,8 +35,8 @@ def sizes(path, prefix=None):
         patches.add_ball((4.2, 5.2), 0.7)
         patches.add_ball((6.0, 5.0), 0.7)
         report = mesh.adapt(alpha, patches)
-        print_row(alpha, "0", report[0])
-        print_row(alpha, "1", report[1])
+        print_row(alpha, "1", report[0])
+        print_row(alpha, "2", report[1])
         print_row(alpha, "both", report)
         if prefix:
             patches.write(f"{prefix}{i}.svg")
