@@ -9,12 +9,12 @@ from numpy.typing import ArrayLike
 
 from . import _alphamst
 from .array import Ids, Reals
-from .handle import Handle
+from .geometry import Geometry
 
 Projected = Callable[[Ids, Reals], "ArrayLike | None"]
 
 
-class Boundary(Handle):
+class Boundary(Geometry):
     """Of a `Mesh`."""
 
     __slots__ = ()

@@ -7,10 +7,10 @@ from numpy.typing import ArrayLike
 
 from . import _alphamst
 from .array import Ids, as_long_as_the_answer, filled, ids
-from .handle import Handle
+from .geometry import Geometry
 
 
-class Connectivity(Handle):
+class Connectivity(Geometry):
     """Of a `Mesh`. Arrays are new, or those of the caller, which may be views."""
 
     __slots__ = ()

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .handle import Handle
+from .connectivity import Connectivity
+from .field import Fields
+from .file import Files
+from .markers import Markers
 
 if TYPE_CHECKING:
     from typing import Self
@@ -22,7 +25,7 @@ if TYPE_CHECKING:
 GROUP = "gmsh:physical"  # what meshio calls the markers of cells
 
 
-class Exchange(Handle):
+class Exchange(Files, Connectivity, Markers, Fields):
     """Of a `Mesh`."""
 
     __slots__ = ()
@@ -67,13 +70,13 @@ class Exchange(Handle):
         import meshio
 
         marked = {entity: np.flatnonzero(self.markers(entity)) for entity in ("vertex", "edge")}
-        blocks = [
+        found: list[tuple[str, Any, Any]] = [
             ("quad", self.faces(), self.markers("face")),
             ("line", self.edges()[marked["edge"]], self.markers("edge")[marked["edge"]]),
             ("vertex", marked["vertex"].reshape(-1, 1), self.markers("vertex")[marked["vertex"]]),
         ]
-        blocks = [block for block in blocks if len(block[1])]
-        cell_data = {GROUP: [groups for _, _, groups in blocks]}
+        blocks = [block for block in found if len(block[1])]
+        cell_data: dict[str, list[Any]] = {GROUP: [groups for _, _, groups in blocks]}
         for name in face_fields:
             values = self.field("face", name)
             missing = [np.full((len(cells), *values.shape[1:]), np.nan) for _, cells, _ in blocks[1:]]

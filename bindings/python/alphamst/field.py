@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from . import _alphamst
 from .array import Ids, Reals, filled
 from .error import ENTITIES, number_of
-from .handle import Handle
+from .geometry import Geometry
 
 if TYPE_CHECKING:
     from .mesh import Mesh
@@ -26,7 +26,7 @@ class Overlap(NamedTuple):
     area: Reals
 
 
-class Fields(Handle):
+class Fields(Geometry):
     """Of a `Mesh`."""
 
     __slots__ = ()
@@ -87,8 +87,9 @@ class Fields(Handle):
         # Mostly enough, so that the work is done once: a face meets about four, on either side.
         capacity = 4 * (self.n_faces + after.n_faces)
         while True:
-            rows = Overlap(np.empty(capacity, np.int32), np.empty(capacity, np.int32), np.empty(capacity))
-            needed = _alphamst.amst_mesh_get_overlap(self, after, *rows)
+            before, others = np.empty((2, capacity), np.int32)
+            areas = np.empty(capacity)
+            needed = _alphamst.amst_mesh_get_overlap(self, after, before, others, areas)
             if needed <= capacity:
-                return Overlap(*(row[:needed].copy() for row in rows))
+                return Overlap(before[:needed].copy(), others[:needed].copy(), areas[:needed].copy())
             capacity = needed

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from . import _alphamst
 from .array import Ids, filled, ids
 from .error import ENTITIES, number_of
-from .handle import Handle
+from .geometry import Geometry
 
 
 class Flag(enum.IntFlag):
@@ -24,7 +24,7 @@ class Flag(enum.IntFlag):
     "end or crossing of such curves; does not move"
 
 
-class Flags(Handle):
+class Flags(Geometry):
     """Of a `Mesh`."""
 
     __slots__ = ()

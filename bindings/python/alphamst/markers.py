@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike
 from . import _alphamst
 from .array import Ids, as_long_as_the_answer, filled, ids
 from .error import ENTITIES, number_of
-from .handle import Handle
+from .geometry import Geometry
 
 
-class Markers(Handle):
+class Markers(Geometry):
     """Of a `Mesh`."""
 
     __slots__ = ()

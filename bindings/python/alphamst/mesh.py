@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _alphamst
-from .array import Reals, by_strides, filled, reals
+from .array import by_strides
 from .boundary import Boundary
 from .chord import Chords
-from .connectivity import Connectivity
 from .context import Context
 from .cross_field import CrossField
 from .exchange import Exchange
-from .field import Fields
 from .flag import Flag, Flags
-from .markers import Markers
 from .operation import Operations
 from .options import Options, chosen
 from .quality import Quality
@@ -36,10 +32,8 @@ __all__ = ["Flag", "Mesh"]
 
 
 class Mesh(
-    Connectivity,
+    Exchange,
     Flags,
-    Markers,
-    Fields,
     CrossField,
     Surface,
     Boundary,
@@ -47,7 +41,6 @@ class Mesh(
     Quality,
     Operations,
     Chords,
-    Exchange,
 ):
     """A mesh of quadrilaterals from arrays; `Mesh.read` takes one from a file.
 
@@ -100,36 +93,6 @@ class Mesh(
             self,
         )
 
-    @classmethod
-    def read(
-        cls,
-        path: str | os.PathLike[str],
-        *,
-        context: Context | None = None,
-        options: Options | None = None,
-        **settings: Unpack[Settings],
-    ) -> Self:
-        """A mesh from a file.
-
-        The format is told by the extension: .off, .obj, .ply, .msh (Gmsh 1, 2.2, 4.0 and 4.1 ASCII), .su2,
-        .vtk (legacy). Dim is 2 when every z is 0. Numbers of points, boundaries and regions are `markers`,
-        with their names; the boundaries of an .su2 file get the numbers 1, 2, ... in the order of the file.
-        What numbers could not be kept is told by the log. Raises as `Mesh`, and `FileError`, `FormatError`,
-        `UnsupportedError`.
-        """
-        mesh = cls.__new__(cls)
-        given = Context() if context is None else context
-        _alphamst.amst_mesh_read(given, os.fspath(path), chosen(options, settings), mesh)
-        return mesh
-
-    def write(self, path: str | os.PathLike[str]) -> None:
-        """Write to a file of one of the formats that are read, or to an .svg, a picture.
-
-        All markers and names are kept by .msh; what another format has no place for is told by the log. Raises
-        `FileError`, `UnsupportedError` (extension).
-        """
-        _alphamst.amst_mesh_write(self, os.fspath(path))
-
     def copy(self) -> Self:
         """A mesh of its own, in the same context, with all but the savepoints."""
         mesh = type(self).__new__(type(self))
@@ -147,26 +110,6 @@ class Mesh(
         return self.parent
 
     @property
-    def dim(self) -> int:
-        """Coordinates of a point, 2 or 3."""
-        return _alphamst.amst_mesh_get_dim(self)
-
-    @property
-    def n_vertices(self) -> int:
-        """Number of vertices."""
-        return _alphamst.amst_mesh_get_count(self, 0)
-
-    @property
-    def n_edges(self) -> int:
-        """Number of edges."""
-        return _alphamst.amst_mesh_get_count(self, 1)
-
-    @property
-    def n_faces(self) -> int:
-        """Number of faces."""
-        return _alphamst.amst_mesh_get_count(self, 2)
-
-    @property
     def revision(self) -> int:
         """Rises with every change of connectivity and never repeats, but that `rollback` returns to one."""
         return _alphamst.amst_mesh_get_revision(self)
@@ -178,19 +121,3 @@ class Mesh(
     def check(self) -> None:
         """Raise an `AlphaMSTError` with the first fault of the connectivity or, for dim 2, the orientation."""
         _alphamst.amst_mesh_check(self)
-
-    def points(self, out: Reals | None = None) -> Reals:
-        """(n, dim) coordinates, in a new array or in that of the caller, which may be a view."""
-        return filled(
-            lambda array: _alphamst.amst_mesh_get_points(self, array),
-            np.float64,
-            (self.n_vertices, self.dim),
-            out,
-        )
-
-    def set_points(self, points: ArrayLike) -> None:
-        """New positions (n, dim) for all vertices; connectivity and revision stay.
-
-        Raises `RangeError` for another number of vertices, `NotFiniteError`.
-        """
-        _alphamst.amst_mesh_set_points(self, reals(points, self.dim))

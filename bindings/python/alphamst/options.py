@@ -110,6 +110,28 @@ class Options(Handle):
 
     __slots__ = ("__weakref__",)
 
+    seed: int
+    smooth_steps: int
+    repair_patches: int
+    candidates: int
+    node_limit: int
+    quadrangulate: int
+    edit_boundary: int
+    strategy: int
+    align: int
+    chart: int
+    keep_boundary: int
+    min_quality: float
+    min_convexity: float
+    patch_faces: float
+    tolerance: float
+    effort: float
+    size_weight: float
+    transition: float
+    least_size: float
+    sharp_angle: float
+    size_band: float
+
     def __init__(self, **settings: int | float | ArrayLike) -> None:
         _alphamst.amst_options_create(self)
         for name, value in settings.items():

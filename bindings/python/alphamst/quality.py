@@ -9,7 +9,7 @@ import numpy as np
 from . import _alphamst
 from .array import Reals, filled
 from .error import number_of
-from .handle import Handle
+from .geometry import Geometry
 
 METRICS = {
     "area": 0,
@@ -38,7 +38,7 @@ METRICS = {
 class Summary(NamedTuple):
     """Of a metric over all faces; ``acceptable`` counts those inside the metric's acceptable range."""
 
-    count: int
+    count: int  # type: ignore[assignment]
     acceptable: int
     min: float
     max: float
@@ -46,7 +46,7 @@ class Summary(NamedTuple):
     stddev: float
 
 
-class Quality(Handle):
+class Quality(Geometry):
     """Of a `Mesh`."""
 
     __slots__ = ()

@@ -35,7 +35,40 @@ KEYS = {
 }
 
 
-class Report(Handle):
+class Numbers:
+    """What `Report` tells."""
+
+    __slots__ = ()
+
+    status: int
+    faces_before: int
+    faces_after: int
+    faces_wanted: int
+    singular_before: int
+    singular_after: int
+    singular_bound: int
+    candidate: int
+    unused_option: int
+    alpha: float
+    quality_before: float
+    quality_after: float
+    seconds: float
+    size_error_before: float
+    size_error_after: float
+    least_area_before: float
+    least_area_after: float
+    time_step: float
+    shortest_edge_before: float
+    shortest_edge_after: float
+    aspect_ratio_before: float
+    aspect_ratio_after: float
+    area_gained: float
+
+    def get(self, key: int) -> int | float:
+        raise NotImplementedError
+
+
+class Report(Handle, Numbers):
     """What an operation did in all; ``report[patch]`` has the same of one patch, an `Outcome`.
 
     It outlives mesh and patches.
@@ -102,7 +135,7 @@ class Report(Handle):
         return as_long_as_the_answer(get) if out is None else filled(get, "int32", (get(None),), out)
 
 
-class Outcome:
+class Outcome(Numbers):
     """What an operation did to one patch: the numbers of `Report`."""
 
     __slots__ = {"report": "What it is part of.", "patch": "The id of the patch."}
@@ -120,5 +153,4 @@ def number(name: str, key: int) -> property:
 
 
 for _name, _key in KEYS.items():
-    setattr(Report, _name, number(_name, _key))
-    setattr(Outcome, _name, number(_name, _key))
+    setattr(Numbers, _name, number(_name, _key))

@@ -6,10 +6,10 @@ from numpy.typing import ArrayLike
 
 from . import _alphamst
 from .array import ids, reals
-from .handle import Handle
+from .geometry import Geometry
 
 
-class Surface(Handle):
+class Surface(Geometry):
     """Of a `Mesh`."""
 
     __slots__ = ()
