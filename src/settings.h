@@ -46,6 +46,7 @@ struct Settings {
     bool edit_boundary = false;     // vertices come and go on it; chords of curved meshes may end on it
     bool align = false;             // whole curved meshes: edges along the cross field
     int threads = 1;                // 0: all cores
+    int starts = 1;                 // whole meshes: searches with different luck, the best is kept
     std::shared_ptr<const Log> log; // null: nobody looks
 
     bool tells(int level) const { return log != nullptr && log->level >= level; }

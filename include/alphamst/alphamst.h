@@ -34,7 +34,8 @@
  *  Threads    Calls that take only const handles may run at the same time. A call
  *             that takes a non-const handle needs it to itself, and its mesh if it
  *             is a patch set; one context serves one thread at a time. Different
- *             contexts share nothing. Callbacks run on the calling thread only; they
+ *             contexts share nothing: threads of the caller, as of an OpenMP region, have
+ *             one each, and meshes by amst_mesh_clone_into. Callbacks run on the calling thread only; they
  *             may ask and may destroy, but a call that would change something of the
  *             same context gives AMST_ERR_STATE.
  *  Same again Equal input, options and seed give equal output for any thread count.
@@ -235,6 +236,7 @@ enum amst_option {
     AMST_OPT_ALIGN = 8,            /* int 0/1, 0: edges of curved meshes follow their cross field */
     AMST_OPT_CHART = 9,            /* int, 0: maps what is curved; 1 mean value, 2 conformal, 3 low stretch */
     AMST_OPT_KEEP_BOUNDARY = 10,   /* int 0/1, 0: new meshes get no vertex on the boundary, or fail */
+    AMST_OPT_STARTS = 11,          /* int, 1: searches of a whole mesh, the best is kept, 1..1000 */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
@@ -454,6 +456,10 @@ AMST_TRY amst_status amst_mesh_read(amst_context *ctx, const char *path, const a
 AMST_TRY amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, markers, fields and revision, without savepoints. */
 AMST_TRY amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);
+/* The same in another context, or in the same one: for threads that work at the same time, each on a clone of
+ * its own. Ids are from the index base of ctx. No function of amst_mesh_set_projection comes along, as it
+ * might be called on several threads at once. */
+AMST_TRY amst_status amst_mesh_clone_into(const amst_mesh *mesh, amst_context *ctx, amst_mesh **out);
 AMST_API void amst_mesh_destroy(amst_mesh *mesh);
 
 /* 2 or 3 coordinates a point */
@@ -798,6 +804,7 @@ AMST_TRY amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *   field "cross"   -            A R             -             A R           with ALIGN only
  *   field "size"    A R          A R             A R           A R
  *   SIZE_BAND       -            -               A             -             with field "size" only
+ *   STARTS          -            -               A R           A R           not with SIZE_BAND, STRATEGY 1
  *   STRATEGY        -            -               A             A
  *   EDIT_BOUNDARY   A R          S               A R           A R S
  *
@@ -834,6 +841,10 @@ AMST_TRY amst_status amst_patches_predict(const amst_patches *patches, amst_id p
  *            call changes nothing. Remove the field to have all looked at anew. Size errors in the report
  *            are those of the places that change. With EDIT_BOUNDARY 1 vertices of the boundary
  *            come and go there, too. No effect with STRATEGY 1.
+ *  STARTS    So many searches with different luck share the threads of the context, and the best is kept: by
+ *            the number of faces, then by singular vertices, sizes and shapes together. The first has the
+ *            SEED itself, so more starts are never worse. Each thread holds a copy of the mesh. The log tells
+ *            what each came to.
  *  STRATEGY  1: whole chords are removed, the shortest first, or split until no other one can go without
  *            passing the number of faces. No vertex becomes singular. Of the other options only SMOOTH_STEPS
  *            and EDIT_BOUNDARY count, and SIZE_WEIGHT in a plane.

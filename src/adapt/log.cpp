@@ -70,4 +70,16 @@ void log_stage(const Settings &settings, const char *stage, const StageCount &co
     settings.log->say(log_stages, text.str());
 }
 
+void log_starts(const Settings &settings, const std::vector<Outcome> &outcomes, std::size_t kept) {
+    if (!settings.tells(log_stages))
+        return;
+    for (std::size_t k = 0; k < outcomes.size(); ++k) {
+        Line text;
+        text << "start " << k << ": " << outcomes[k].faces_after << " faces, " << outcomes[k].singular_after
+             << " singular, scaled Jacobian " << outcomes[k].quality_after << ", size error "
+             << outcomes[k].size_error_after << (k == kept ? ", kept" : "");
+        settings.log->say(log_stages, text.str());
+    }
+}
+
 } // namespace alphamst::adapt

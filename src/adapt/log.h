@@ -1,8 +1,11 @@
 // The inside view: one line for each cavity, one for each stage. Costs nothing while nobody looks.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "outcome.h"
 #include "refill/patch.h"
 #include "refill/window.h"
 
@@ -21,5 +24,8 @@ struct StageCount {
     std::int64_t missing = 0;
 };
 void log_stage(const Settings &settings, const char *stage, const StageCount &count);
+
+// What each of several searches came to, and which is kept.
+void log_starts(const Settings &settings, const std::vector<Outcome> &outcomes, std::size_t kept);
 
 } // namespace alphamst::adapt

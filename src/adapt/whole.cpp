@@ -14,6 +14,7 @@
 #include "adapt/off_size.h"
 #include "adapt/pieces.h"
 #include "adapt/schedule.h"
+#include "adapt/starts.h"
 #include "index.h"
 #include "mesh/components.h"
 #include "reference/feature_line.h"
@@ -38,6 +39,18 @@ constexpr std::int64_t most_singular = 4, seldom = 100;
 constexpr double price_of_aspect = 6;
 
 bool rose(const Outcome &outcome) { return outcome.singular_after > outcome.singular_before; }
+
+std::int64_t missing_of(const Outcome &outcome, bool exact) {
+    return exact ? std::abs(outcome.faces_after - outcome.faces_wanted) : 0;
+}
+
+// The number of faces comes first, where it is wanted; where it cannot be had, no singular vertices are made
+// for it; then what choices of fillings weigh.
+Price price_of(const Outcome &outcome, bool exact, bool edit_boundary) {
+    const std::int64_t missing = missing_of(outcome, exact);
+    const double aspect = edit_boundary ? price_of_aspect * std::log2(outcome.aspect_ratio_after) : 0;
+    return {missing != 0, missing != 0 && rose(outcome), missing, refill::price_of(outcome) + aspect};
+}
 
 class Rework {
 public:
@@ -249,21 +262,14 @@ private:
         return outcome_of(tried);
     }
 
-    std::int64_t missing(const Outcome &of) const {
-        return exact_ ? std::abs(of.faces_after - of.faces_wanted) : 0;
-    }
+    std::int64_t missing(const Outcome &of) const { return missing_of(of, exact_); }
 
-    // The number of faces comes first; where it cannot be had, no singular vertices are made for it.
+    // As price, but no singular vertices are made for anything else.
     std::tuple<bool, bool, std::int64_t, std::int64_t> rank(const Outcome &of) const {
         return {missing(of) != 0, rose(of), missing(of), of.singular_after};
     }
 
-    // As rank, but then by what choices of fillings weigh.
-    std::tuple<bool, bool, std::int64_t, double> price(const Outcome &of) const {
-        const double aspect =
-            settings_.edit_boundary ? price_of_aspect * std::log2(of.aspect_ratio_after) : 0;
-        return {missing(of) != 0, missing(of) != 0 && rose(of), missing(of), refill::price_of(of) + aspect};
-    }
+    Price price(const Outcome &of) const { return price_of(of, exact_, settings_.edit_boundary); }
 
     mesh::QuadMesh &mesh_;
     const bool exact_;
@@ -274,16 +280,26 @@ private:
     Outcome begin_;                              // what there was
 };
 
+Outcome rework(mesh::QuadMesh &mesh, double alpha, bool exact, const Settings &settings,
+               const Progress &progress) {
+    return best_of_starts(
+        mesh, settings, progress,
+        [&](mesh::QuadMesh &of_start, const Settings &settings_of_start, const Progress &progress_of_start) {
+            return Rework(of_start, alpha, exact, settings_of_start, progress_of_start).run();
+        },
+        [&](const Outcome &outcome) { return price_of(outcome, exact, settings.edit_boundary); });
+}
+
 } // namespace
 
 Outcome adapt_whole(mesh::QuadMesh &mesh, double alpha, const Settings &settings, const Progress &progress) {
     if (goes_by_band(mesh, settings))
         return adapt_off_size(mesh, alpha, settings, progress);
-    return Rework(mesh, alpha, true, settings, progress).run();
+    return rework(mesh, alpha, true, settings, progress);
 }
 
 Outcome reduce_whole(mesh::QuadMesh &mesh, const Settings &settings, const Progress &progress) {
-    return Rework(mesh, 1, false, settings, progress).run();
+    return rework(mesh, 1, false, settings, progress);
 }
 
 } // namespace alphamst::adapt

@@ -9,6 +9,7 @@
 #include "capi/guard.h"
 #include "index.h"
 #include "reference/locate.h"
+#include "reference/reference.h"
 #include "reference/statistics.h"
 #include "transfer/carry.h"
 
@@ -134,6 +135,16 @@ Change::Change(const char *name, const amst_mesh &mesh, const amst_patches *patc
     copy_ = std::make_shared<mesh::QuadMesh>(*mesh_->current);
     copy_->reset_origins();
     copy_->begun = mesh_->current;
+}
+
+bool Change::curved() const {
+    if (copy_->dim() == 2 || copy_->surface != nullptr)
+        return copy_->dim() == 3;
+    if (patches_ == nullptr)
+        return !reference::plane_of(*copy_);
+    return std::ranges::any_of(regions_, [this](const Patch &patch) {
+        return !patch.faces.empty() && !reference::plane_of(*copy_, patch.faces);
+    });
 }
 
 Settings Change::settings(const Options &options) {

@@ -25,8 +25,8 @@ public:
     // With the threads and the log of the context. Gives the mesh the curves of its boundary, if that may
     // change.
     Settings settings(const Options &options);
-    // The mesh keeps to a surface.
-    bool curved() const { return copy_->dim() == 3 && copy_->surface != nullptr; }
+    // What is changed keeps to a surface, be it that nothing was gained and the mesh has none yet.
+    bool curved() const;
     const Progress &progress() const { return under_way_.progress(); }
 
     // One outcome per patch, or one for the whole mesh; exact: a patch that has not the

@@ -1,4 +1,5 @@
 #include <string>
+#include <thread>
 
 #include "capi/guard.h"
 #include "capi/handles.h"
@@ -8,7 +9,15 @@ namespace alphamst::capi {
 
 void Context::require_idle() const {
     if (busy.load(std::memory_order_acquire))
+        refuse_while_busy();
+}
+
+void Context::refuse_while_busy() const {
+    if (worker.load() == std::this_thread::get_id())
         throw Failure(Fault::state, "an operation of this context is under way; a callback may only ask");
+    throw Failure(Fault::state,
+                  "an operation of this context is under way on another thread; threads that work at "
+                  "the same time need a context each: clone the mesh by amst_mesh_clone_into");
 }
 
 void Context::say(std::int32_t level, const std::string &message) const {

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "adapt/adapt.h"
@@ -30,10 +31,12 @@ struct Context {
     std::int32_t log_level = AMST_LOG_OFF;
     std::atomic<bool> cancel{false};
     std::atomic<double> fraction{0};
-    std::atomic<bool> busy{false}; // an operation is under way
+    std::atomic<bool> busy{false};       // an operation is under way
+    std::atomic<std::thread::id> worker; // on the thread that called it
 
     // Failure (state) while an operation is under way.
     void require_idle() const;
+    [[noreturn]] void refuse_while_busy() const;
     // To the caller's function, if he wants messages of this level.
     void say(std::int32_t level, const std::string &message) const;
 };
@@ -64,6 +67,8 @@ struct Mesh {
 
     // The current mesh, to be changed in place: no savepoint shares it afterwards.
     mesh::QuadMesh &writable();
+    // Without savepoints and projection.
+    std::shared_ptr<Mesh> clone(const std::shared_ptr<Context> &into) const;
 };
 
 struct Patches {

@@ -52,6 +52,14 @@ mesh::QuadMesh &Mesh::writable() {
     return *current;
 }
 
+std::shared_ptr<Mesh> Mesh::clone(const std::shared_ptr<Context> &into) const {
+    auto copy = std::make_shared<Mesh>(into, std::make_shared<mesh::QuadMesh>(*current));
+    copy->revision = revision;
+    copy->last_revision = last_revision;
+    copy->at_creation = at_creation;
+    return copy;
+}
+
 } // namespace alphamst::capi
 
 using namespace alphamst;
@@ -61,13 +69,19 @@ amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out) {
     return guarded(index_base(mesh), [&] {
         const Mesh &from = *required(mesh, "mesh").impl;
         amst_mesh *&created = required(out, "out");
-        auto copy = std::make_shared<Mesh>(from.context, std::make_shared<mesh::QuadMesh>(*from.current));
-        copy->revision = from.revision;
-        copy->last_revision = from.last_revision;
+        std::shared_ptr<Mesh> copy = from.clone(from.context);
         copy->projection = from.projection;
         copy->projection_user = from.projection_user;
-        copy->at_creation = from.at_creation;
         created = new amst_mesh{std::move(copy)};
+    });
+}
+
+amst_status amst_mesh_clone_into(const amst_mesh *mesh, amst_context *ctx, amst_mesh **out) {
+    return guarded(index_base(mesh), [&] {
+        const Mesh &from = *required(mesh, "mesh").impl;
+        const std::shared_ptr<Context> &context = required(ctx, "ctx").impl;
+        amst_mesh *&created = required(out, "out");
+        created = new amst_mesh{from.clone(context)};
     });
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "adapt/off_size.h"
 #include "capi/change.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
@@ -26,9 +27,11 @@ std::vector<std::int32_t> for_fillings(bool curved, bool edits_boundary) {
     return keys;
 }
 
-std::vector<std::int32_t> for_whole_mesh(const mesh::QuadMesh &mesh, bool curved, bool edits_boundary) {
-    std::vector<std::int32_t> keys = for_fillings(curved, edits_boundary);
+std::vector<std::int32_t> for_whole_mesh(const mesh::QuadMesh &mesh, bool curved, const Settings &settings) {
+    std::vector<std::int32_t> keys = for_fillings(curved, settings.edit_boundary);
     keys.push_back(AMST_OPT_STRATEGY);
+    if (!adapt::goes_by_band(mesh, settings))
+        keys.push_back(AMST_OPT_STARTS);
     if (curved)
         keys.push_back(AMST_OPT_EDIT_BOUNDARY);
     else if (mesh.field(Entity::vertex, "size") != nullptr)
@@ -39,6 +42,8 @@ std::vector<std::int32_t> for_whole_mesh(const mesh::QuadMesh &mesh, bool curved
 // Whole meshes that are reduced: chords come in amst_adapt alone, but vertices slide.
 std::vector<std::int32_t> for_reduction(bool curved, bool edits_boundary, bool whole) {
     std::vector<std::int32_t> keys = for_fillings(curved, edits_boundary);
+    if (whole)
+        keys.push_back(AMST_OPT_STARTS);
     if (curved && whole)
         keys.push_back(AMST_OPT_EDIT_BOUNDARY);
     return keys;
@@ -95,7 +100,7 @@ amst_status amst_adapt(amst_mesh *mesh, amst_patches *patches, double alpha, con
         if (by_chords)
             in_use = for_chords(change.mesh());
         else if (patches == nullptr)
-            in_use = for_whole_mesh(change.mesh(), change.curved(), settings.edit_boundary);
+            in_use = for_whole_mesh(change.mesh(), change.curved(), settings);
         else
             in_use = for_fillings(change.curved(), settings.edit_boundary);
         return change.finish(outcomes, true, in_use, report);

@@ -64,6 +64,7 @@ constexpr Knob<std::int64_t> integers[] = {
     integer<&Options::align>(AMST_OPT_ALIGN, "AMST_OPT_ALIGN", 0, 1),
     integer<&Options::chart>(AMST_OPT_CHART, "AMST_OPT_CHART", 0, 3),
     integer<&Options::keep_boundary>(AMST_OPT_KEEP_BOUNDARY, "AMST_OPT_KEEP_BOUNDARY", 0, 1),
+    integer<&Options::starts>(AMST_OPT_STARTS, "AMST_OPT_STARTS", 1, 1000),
 };
 
 constexpr Knob<double> reals[] = {
@@ -109,7 +110,7 @@ std::vector<std::int32_t> unused_options(const Options &options, std::span<const
         AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT,  AMST_OPT_EDIT_BOUNDARY, AMST_OPT_STRATEGY,
         AMST_OPT_ALIGN,      AMST_OPT_CHART,       AMST_OPT_MIN_QUALITY,   AMST_OPT_TOLERANCE,
         AMST_OPT_EFFORT,     AMST_OPT_SIZE_WEIGHT, AMST_OPT_TRANSITION,    AMST_OPT_LEAST_SIZE,
-        AMST_OPT_SIZE_BAND};
+        AMST_OPT_SIZE_BAND,  AMST_OPT_STARTS};
     const Options defaults;
     std::vector<std::int32_t> unused;
     const auto look = [&](const auto &knobs) {

@@ -10,7 +10,13 @@ UnderWay::UnderWay(std::shared_ptr<Context> context)
       progress_([this](double fraction, const char *stage) { tell(fraction, stage); }),
       ask_([this] { ask(); }), stop_(&ask_) {
     if (context_->busy.exchange(true, std::memory_order_acq_rel))
-        throw Failure(Fault::state, "an operation of this context is under way; a callback may only ask");
+        context_->refuse_while_busy();
+    context_->worker.store(caller_);
+}
+
+UnderWay::~UnderWay() {
+    context_->worker.store({});
+    context_->busy.store(false, std::memory_order_release);
 }
 
 void UnderWay::tell(double fraction, const char *stage) {

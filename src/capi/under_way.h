@@ -14,7 +14,7 @@ class UnderWay {
 public:
     // Failure: state, if there is one under way.
     explicit UnderWay(std::shared_ptr<Context> context);
-    ~UnderWay() { context_->busy.store(false, std::memory_order_release); }
+    ~UnderWay();
     UnderWay(const UnderWay &) = delete;
     UnderWay &operator=(const UnderWay &) = delete;
 

@@ -9,7 +9,6 @@
 #include "stop.h"
 
 namespace alphamst::parallel {
-namespace {
 
 // Asked for more than the cores or than the program allows, TBB prints a warning.
 int concurrency(int threads) {
@@ -21,8 +20,6 @@ int concurrency(int threads) {
         std::min(tbb::info::default_concurrency(), static_cast<int>(std::min<std::size_t>(allowed, 4096)));
     return threads == 0 ? most : std::min(threads, most);
 }
-
-} // namespace
 
 // Made once: it costs more than many a piece of work.
 struct Workers::Arena {

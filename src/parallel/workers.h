@@ -7,9 +7,12 @@
 
 namespace alphamst::parallel {
 
+// How many threads there are where so many are asked for; 0: as many as there are cores.
+int concurrency(int threads);
+
 class Workers {
 public:
-    // At most so many threads; 0: as many as there are cores.
+    // At most so many threads, see concurrency.
     explicit Workers(int threads);
 
     int count() const { return count_; }

@@ -177,8 +177,7 @@ void find_in_part(const mesh::QuadMesh &mesh, Boundary &boundary) {
     const BoundaryCurves &curves = *boundary.curves;
     for (const std::vector<int> &cycle : boundary_cycles(mesh)) {
         for (const int v : cycle)
-            boundary.places[at(v)] =
-                curves.find(point_of(mesh, v), rounding_of_curves * curves.extent());
+            boundary.places[at(v)] = curves.find(point_of(mesh, v), rounding_of_curves * curves.extent());
         for (std::size_t i = 0; i < cycle.size(); ++i) {
             const int v = cycle[i], w = cycle[(i + 1) % cycle.size()];
             const CurvePlace start = boundary.places[at(v)], end = boundary.places[at(w)];

@@ -118,6 +118,23 @@ TEST(Log, TellsWhatCameOfAStage) {
                                         "vertices, -2 faces missing");
 }
 
+TEST(Log, TellsWhatStartsCameTo) {
+    Heard heard(log_stages), below(log_stages - 1);
+    std::vector<Outcome> outcomes(2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        outcomes[k].faces_after = 1234;
+        outcomes[k].singular_after = static_cast<std::int64_t>(20 - 7 * k);
+        outcomes[k].quality_after = outcomes[k].size_error_after = 0.5;
+    }
+    log_starts(heard.settings, outcomes, 1);
+    log_starts(below.settings, outcomes, 1);
+    ASSERT_EQ(heard.lines.size(), 2u);
+    EXPECT_TRUE(below.lines.empty());
+    EXPECT_EQ(heard.lines[0].second, "start 0: 1234 faces, 20 singular, scaled Jacobian 0.5, size error 0.5");
+    EXPECT_EQ(heard.lines[1].second,
+              "start 1: 1234 faces, 13 singular, scaled Jacobian 0.5, size error 0.5, kept");
+}
+
 // A host program may group digits, and have a comma before the decimals.
 struct Grouping : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }

@@ -96,6 +96,9 @@ static void meshes(void **state) {
     null("path", amst_mesh_write(mesh, NULL));
     null("mesh", amst_mesh_clone(NULL, &out));
     null("out", amst_mesh_clone(mesh, NULL));
+    null("mesh", amst_mesh_clone_into(NULL, ctx, &out));
+    null("ctx", amst_mesh_clone_into(mesh, NULL, &out));
+    null("out", amst_mesh_clone_into(mesh, ctx, NULL));
     assert_null(out);
     null("mesh", amst_mesh_get_dim(NULL, &narrow));
     null("dim", amst_mesh_get_dim(mesh, NULL));

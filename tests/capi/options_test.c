@@ -20,6 +20,7 @@ static const integer_option integers[] = {
     {AMST_OPT_ALIGN, 0, 0, 1},
     {AMST_OPT_CHART, 0, 0, 3},
     {AMST_OPT_KEEP_BOUNDARY, 0, 0, 1},
+    {AMST_OPT_STARTS, 1, 1, 1000},
 };
 
 typedef struct real_option {

@@ -150,13 +150,34 @@ static void what_could_not_end_is_refused(void **state) {
     assert_int_equal(checksum(w->mesh), before);
 }
 
+static void starts_tell_and_can_be_stopped(void **state) {
+    world *w = *state;
+    const int64_t before = checksum(w->mesh);
+    amst_options *options = NULL;
+    amst_patches_destroy(w->set);
+    w->set = NULL;
+    must(amst_options_create(&options));
+    must(amst_options_set_int(options, AMST_OPT_STARTS, 3));
+    must(amst_options_set_real(options, AMST_OPT_EFFORT, 0.01));
+    for (int threads = 1; threads <= 2; ++threads) {
+        must(amst_context_set_threads(w->ctx, threads));
+        for (int last = 1; last <= 40; last += 13) {
+            begin(w, last);
+            refused(AMST_ERR_CANCELLED, amst_adapt(w->mesh, NULL, 1.1, options, NULL));
+            assert_int_equal(w->calls, last);
+            assert_int_equal(checksum(w->mesh), before);
+        }
+    }
+    amst_options_destroy(options);
+}
+
 #define test(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         test(decompositions_can_be_stopped), test(the_cross_field_can_be_stopped),
         test(one_patch_can_be_stopped),      test(questions_of_a_callback_are_not_stopped),
-        test(what_could_not_end_is_refused),
+        test(what_could_not_end_is_refused), test(starts_tell_and_can_be_stopped),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

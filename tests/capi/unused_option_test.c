@@ -3,7 +3,7 @@
 
 #include "grid.h"
 
-enum { n = 12 };
+enum { n = 16 };
 
 static int64_t warnings, stages, cavities;
 static char last_warning[200];
@@ -89,6 +89,7 @@ static void what_cannot_apply_is_told(void **state) {
                          {AMST_OPT_EDIT_BOUNDARY, whole || !curved},
                          {AMST_OPT_ALIGN, curved},
                          {AMST_OPT_CHART, curved},
+                         {AMST_OPT_STARTS, whole},
                          {AMST_OPT_TOLERANCE, curved},
                          {AMST_OPT_EFFORT, 1},
                          {AMST_OPT_SIZE_WEIGHT, 1},
@@ -97,8 +98,11 @@ static void what_cannot_apply_is_told(void **state) {
             for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
                 amst_mesh *mesh = curved ? new_bell(ctx) : new_disturbed(ctx, n);
                 must(amst_options_create(&options));
+                /* Which is always in use, and saves time. */
+                must(amst_options_set_real(options, AMST_OPT_EFFORT, 0.01));
                 if (cases[i].key < 1000)
-                    must(amst_options_set_int(options, cases[i].key, 1));
+                    must(
+                        amst_options_set_int(options, cases[i].key, cases[i].key == AMST_OPT_STARTS ? 2 : 1));
                 else
                     must(amst_options_set_real(options, cases[i].key, 0.6));
                 warnings = 0;

@@ -8,7 +8,7 @@ module alphamst_mesh
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
     use amst_c, only: AMST_ERR_BUFFER_TOO_SMALL, AMST_FACE, &
-        amst_mesh_check, amst_mesh_clone, amst_mesh_compute_cross_field, amst_mesh_create, &
+        amst_mesh_check, amst_mesh_clone, amst_mesh_clone_into, amst_mesh_compute_cross_field, amst_mesh_create, &
         amst_mesh_create_i64, &
         amst_mesh_destroy, amst_mesh_detect_features, amst_mesh_find_edges, amst_mesh_forget, &
         amst_mesh_get_alignment, amst_mesh_get_checksum, amst_mesh_get_chord, amst_mesh_get_chord_ids, amst_mesh_get_chords, &
@@ -63,7 +63,8 @@ module alphamst_mesh
         !> write(path): the same formats, and .svg. All markers and names are kept by .msh; the log tells what
         !> another format has no place for. Errors: IO, UNSUPPORTED.
         procedure :: write => write_file
-        !> clone(copy): as copy = mesh, with stat and errmsg.
+        !> clone(copy): as copy = mesh, with stat and errmsg. With context: in that one, for threads that work at
+        !> the same time (of OpenMP, say), each with a context and a clone of its own; no projection comes along.
         procedure :: clone
         procedure :: destroy
 
@@ -310,18 +311,24 @@ contains
         call settle(amst_mesh_write(self%c_handle(), to_c(path)), stat, errmsg)
     end subroutine write_file
 
-    subroutine clone(self, copy, stat, errmsg)
+    subroutine clone(self, copy, stat, errmsg, context)
         class(amst_mesh), intent(in) :: self
         class(amst_mesh), intent(inout) :: copy
         integer(int32), intent(out), optional :: stat
         character(len=*), intent(inout), optional :: errmsg
+        type(amst_context), intent(in), optional :: context
         type(c_ptr) :: handle
         type(held_projection), pointer :: projection
         integer(int32) :: status
 
         handle = c_null_ptr
-        status = amst_mesh_clone(self%c_handle(), handle)
-        projection => self%projection
+        projection => null()
+        if (present(context)) then
+            status = amst_mesh_clone_into(self%c_handle(), context%c_handle(), handle)
+        else
+            status = amst_mesh_clone(self%c_handle(), handle)
+            projection => self%projection
+        end if
         if (status >= 0) call hold(projection) ! before copy, which may be self, lets go of its own
         call take(copy, handle, status, stat, errmsg)
         if (status >= 0) copy%projection => projection

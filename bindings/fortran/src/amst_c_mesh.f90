@@ -62,6 +62,13 @@ module amst_c_mesh
             type(c_ptr), intent(inout) :: out
         end function amst_mesh_clone
 
+        integer(c_int32_t) function amst_mesh_clone_into(mesh, ctx, out) bind(c)
+            import :: c_int32_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh, ctx
+            type(c_ptr), intent(inout) :: out
+        end function amst_mesh_clone_into
+
         subroutine amst_mesh_destroy(mesh) bind(c)
             import :: c_ptr
             implicit none

@@ -140,6 +140,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_OPT_ALIGN = 8
     integer(c_int32_t), parameter :: AMST_OPT_CHART = 9
     integer(c_int32_t), parameter :: AMST_OPT_KEEP_BOUNDARY = 10
+    integer(c_int32_t), parameter :: AMST_OPT_STARTS = 11
     integer(c_int32_t), parameter :: AMST_OPT_MIN_QUALITY = 1000
     integer(c_int32_t), parameter :: AMST_OPT_MIN_CONVEXITY = 1001
     integer(c_int32_t), parameter :: AMST_OPT_PATCH_FACES = 1002

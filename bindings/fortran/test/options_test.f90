@@ -24,6 +24,7 @@ contains
         call claim(options%get_int(AMST_OPT_QUADRANGULATE) == 0, 'quadrangulate')
         call claim(options%get_int(AMST_OPT_CHART) == 0, 'chart')
         call claim(options%get_int(AMST_OPT_KEEP_BOUNDARY) == 0, 'keep boundary')
+        call claim(options%get_int(AMST_OPT_STARTS) == 1, 'starts')
         call claim(abs(options%get_real(AMST_OPT_MIN_QUALITY)) <= 0, 'quality')
         call claim(abs(options%get_real(AMST_OPT_MIN_CONVEXITY) - 0.6_real64) <= 0, 'convexity')
         call claim(abs(options%get_real(AMST_OPT_PATCH_FACES) - 100) <= 0, 'patch faces')
@@ -106,7 +107,7 @@ contains
 
         call a%create()
         call b%create()
-        do k = 0, AMST_OPT_KEEP_BOUNDARY
+        do k = 0, AMST_OPT_STARTS
             call a%set(k, merge(5 + k, changed(k), k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES))
         end do
         do k = AMST_OPT_MIN_QUALITY, AMST_OPT_SIZE_BAND
@@ -114,7 +115,7 @@ contains
         end do
         b = a
         call a%destroy()
-        do k = 0, AMST_OPT_KEEP_BOUNDARY
+        do k = 0, AMST_OPT_STARTS
             call claim(b%get_int(k) == merge(5 + k, changed(k), &
                 k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES), 'copied integer')
         end do
@@ -132,7 +133,7 @@ contains
     pure integer function changed(key)
         integer, intent(in) :: key
 
-        changed = merge(0, 1, key == AMST_OPT_REPAIR_PATCHES)
+        changed = merge(0, merge(2, 1, key == AMST_OPT_STARTS), key == AMST_OPT_REPAIR_PATCHES)
     end function changed
 
 end program options_test

@@ -28,7 +28,7 @@ module AlphaMST
 
 include("LibAlphaMST.jl")
 using .LibAlphaMST
-using .LibAlphaMST: load
+using .LibAlphaMST: gc_unsafe, load
 using Libdl: find_library
 
 include("library.jl")

@@ -167,6 +167,7 @@ const AMST_OPT_STRATEGY = Int32(7)
 const AMST_OPT_ALIGN = Int32(8)
 const AMST_OPT_CHART = Int32(9)
 const AMST_OPT_KEEP_BOUNDARY = Int32(10)
+const AMST_OPT_STARTS = Int32(11)
 const AMST_OPT_MIN_QUALITY = Int32(1000)
 const AMST_OPT_MIN_CONVEXITY = Int32(1001)
 const AMST_OPT_PATCH_FACES = Int32(1002)
@@ -224,20 +225,63 @@ const AMST_SCOPE_MAX = Int32(0x7fffffff)
 const addresses = Pair{Symbol,Base.RefValue{Ptr{Cvoid}}}[]
 
 """
+    @gc_safe name(arguments::Types)::Result at address
+
+Call the function at `address` while the garbage collector may run: a thread inside the library holds no other
+up. Arguments are converted before, as `ccall` does it, and kept alive; between `jl_gc_safe_enter` and `_leave`
+nothing of Julia's is touched. Callbacks come back by `gc_unsafe`.
+"""
+macro gc_safe(signature, address)
+    call, result = signature.args
+    arguments = call.args[2:end]
+    roots = [gensym(:root) for _ in arguments]
+    values = [gensym(:value) for _ in arguments]
+    convert = [:($root = Base.cconvert($(a.args[2]), $(a.args[1]))) for (root, a) in zip(roots, arguments)]
+    point = [:($value = Base.unsafe_convert($(a.args[2]), $root)) for (value, root, a) in zip(values, roots, arguments)]
+    # What has been converted is a number or an address, so that it is converted no more.
+    types = Expr(:tuple, (a.args[2] for a in arguments)...)
+    body = quote
+        $(point...)
+        state = ccall(:jl_gc_safe_enter, Int8, ())
+        answer = ccall($address, $result, $types, $(values...))
+        ccall(:jl_gc_safe_leave, Cvoid, (Int8,), state)
+        answer
+    end
+    kept = isempty(roots) ? body : Expr(:macrocall, GlobalRef(GC, Symbol("@preserve")), __source__, roots..., body)
+    return esc(quote
+        $(convert...)
+        $kept
+    end)
+end
+
+"""
+    gc_unsafe(f, arguments...)
+
+What a callback does, which may allocate: the collector waits for it. `f` is not to be inlined, since whatever
+it keeps for the collector must be noted after the change.
+"""
+@inline function gc_unsafe(f, arguments...)
+    state = ccall(:jl_gc_unsafe_enter, Int8, ())
+    answer = f(arguments...)
+    ccall(:jl_gc_unsafe_leave, Cvoid, (Int8,), state)
+    return answer
+end
+
+"""
 Make of every line `name(arguments) = @ccall name(arguments::Types)::Result` in the block a function
 that calls what `addresses` has for that name.
 """
 macro entries(block)
     definitions = map(filter(line -> line isa Expr, block.args)) do line
-        name = line.args[1].args[1]
-        call = last(last(last(line.args).args).args).args[1] # name(arguments::Types)
-        call.args[1] === name || error("$name calls $(call.args[1])")
+        head = line.args[1]
+        name = head.args[1]
+        signature = last(last(last(line.args).args).args) # name(arguments::Types)::Result
+        signature.args[1].args[1] === name || error("$name calls $(signature.args[1].args[1])")
         address = Symbol(:address_of_, name)
-        call.args[1] = Expr(:$, :($address[]))
         quote
             const $address = Ref(C_NULL)
             push!(addresses, $(QuoteNode(name)) => $address)
-            $line
+            $head = @gc_safe($signature, $address[])
         end
     end
     return esc(Expr(:block, definitions...))
@@ -269,6 +313,7 @@ end
     amst_mesh_create_i64(ctx, dim, coords, n_vertices, vertex_stride, component_stride, faces, n_faces, face_stride, corner_stride, corners_per_face, options, out) = @ccall amst_mesh_create_i64(ctx::Ptr{amst_context}, dim::Int32, coords::Ptr{Float64}, n_vertices::Int64, vertex_stride::Int64, component_stride::Int64, faces::Ptr{Int64}, n_faces::Int64, face_stride::Int64, corner_stride::Int64, corners_per_face::Int32, options::Ptr{amst_options}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_read(ctx, path, options, out) = @ccall amst_mesh_read(ctx::Ptr{amst_context}, path::Cstring, options::Ptr{amst_options}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_write(mesh, path) = @ccall amst_mesh_write(mesh::Ptr{amst_mesh}, path::Cstring)::Int32
+    amst_mesh_clone_into(mesh, ctx, out) = @ccall amst_mesh_clone_into(mesh::Ptr{amst_mesh}, ctx::Ptr{amst_context}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_clone(mesh, out) = @ccall amst_mesh_clone(mesh::Ptr{amst_mesh}, out::Ptr{Ptr{amst_mesh}})::Int32
     amst_mesh_destroy(mesh) = @ccall amst_mesh_destroy(mesh::Ptr{amst_mesh})::Cvoid
     amst_mesh_get_dim(mesh, dim) = @ccall amst_mesh_get_dim(mesh::Ptr{amst_mesh}, dim::Ptr{Int32})::Int32

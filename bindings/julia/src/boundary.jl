@@ -8,9 +8,12 @@ mutable struct Projection
     callbacks::Callbacks # take what f throws
 end
 
-# Called by the library. Its arrays are copied: f may keep what it is given.
-function projection_thunk(user::Ptr{Cvoid}, n::Int64, marker::Ptr{Int32}, points::Ptr{Float64},
-                          projected::Ptr{Float64})
+# Called by the library.
+projection_thunk(user::Ptr{Cvoid}, n::Int64, marker::Ptr{Int32}, points::Ptr{Float64}, projected::Ptr{Float64}) =
+    gc_unsafe(project, user, n, marker, points, projected)
+
+# The arrays are copied: f may keep what it is given.
+@noinline function project(user, n, marker, points, projected)
     n > 0 || return Int32(0) # the addresses may be NULL
     projection = unsafe_pointer_to_objref(user)::Projection
     failed = guarded(projection.callbacks) do callbacks

@@ -26,10 +26,14 @@ function guarded(f, callbacks::Callbacks)
     end
 end
 
-progress_thunk(user::Ptr{Cvoid}, fraction::Float64, stage::Cstring) =
+progress_thunk(user::Ptr{Cvoid}, fraction::Float64, stage::Cstring) = gc_unsafe(tell_progress, user, fraction, stage)
+
+@noinline tell_progress(user, fraction, stage) =
     Int32(guarded(callbacks -> callbacks.progress(fraction, unsafe_string(stage)), user))
 
-function log_thunk(user::Ptr{Cvoid}, level::Int32, message::Cstring)
+log_thunk(user::Ptr{Cvoid}, level::Int32, message::Cstring) = gc_unsafe(tell_log, user, level, message)
+
+@noinline function tell_log(user, level, message)
     guarded(user) do callbacks
         callbacks.log(name_of(log_levels, level, :debug), unsafe_string(message))
     end
@@ -50,7 +54,8 @@ end
     Context(; threads = 1)
 
 What meshes are made in: number of threads, progress, log and cancelling. One context serves one
-thread at a time; different contexts share nothing. Ids are counted from 1.
+thread at a time; different contexts share nothing. Ids are counted from 1. While a thread is in the library
+others of Julia go on, and so does the garbage collector.
 """
 mutable struct Context <: Handle{amst_context}
     pointer::Ptr{amst_context}

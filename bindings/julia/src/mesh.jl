@@ -76,6 +76,15 @@ A mesh of its own, in the same context, with flags, markers, fields, revision an
 Base.copy(mesh::Mesh) =
     Mesh(created(out -> amst_mesh_clone(mesh, out), amst_mesh), mesh.callbacks, mesh.projection)
 
+"""
+    copy(mesh, context)
+
+The same in another context, without the projection: for tasks that work at the same time, each on a copy in a
+context of its own.
+"""
+Base.copy(mesh::Mesh, context::Context) =
+    Mesh(created(out -> amst_mesh_clone_into(mesh, context, out), amst_mesh), context.callbacks)
+
 # ------------------------------------------------------------------------ numbers
 
 """

@@ -5,7 +5,7 @@ const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
                      node_limit = AMST_OPT_NODE_LIMIT, quadrangulate = AMST_OPT_QUADRANGULATE,
                      edit_boundary = AMST_OPT_EDIT_BOUNDARY,
                      strategy = AMST_OPT_STRATEGY, align = AMST_OPT_ALIGN, chart = AMST_OPT_CHART,
-                     keep_boundary = AMST_OPT_KEEP_BOUNDARY,
+                     keep_boundary = AMST_OPT_KEEP_BOUNDARY, starts = AMST_OPT_STARTS,
                      min_quality = AMST_OPT_MIN_QUALITY, min_convexity = AMST_OPT_MIN_CONVEXITY, patch_faces = AMST_OPT_PATCH_FACES,
                      tolerance = AMST_OPT_TOLERANCE, effort = AMST_OPT_EFFORT,
                      size_weight = AMST_OPT_SIZE_WEIGHT, transition = AMST_OPT_TRANSITION,
@@ -34,6 +34,7 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `align` | 0 | 0 or 1: edges of curved meshes follow their cross field |
 | `chart` | 0 | map of what is curved, 0: a plane or a circle, 1: mean value, 2: conformal, 3: low stretch |
 | `keep_boundary` | 0 | 0 or 1: new meshes get no vertex on the boundary, or fail |
+| `starts` | 1 | searches of a whole mesh with different luck on the threads of the context, of which the best is kept, 1 to 1000 |
 | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
 | `min_convexity` | 0.6 | a patch below has the defect `not_convex`, 0 to 1 |
 | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |

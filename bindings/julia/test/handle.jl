@@ -72,6 +72,42 @@ end
     @test checksum(mesh) == digest
 end
 
+@testset "threads adapt copies in contexts of their own" begin
+    mesh, _ = grid_with_square()
+    copies = [copy(mesh, Context()) for _ in 1:4]
+    Threads.@threads for i in 1:4
+        adapt!(copies[i], 2)
+    end
+    @test nfaces(copies[1]) == 2 * nfaces(mesh)
+    @test all(own -> checksum(own) == checksum(copies[1]), copies)
+end
+
+# In a process of its own, since this one may have one thread only.
+@testset "the garbage collector runs while a thread is in the library" begin
+    program = """
+        push!(LOAD_PATH, $(repr(pkgdir(AlphaMST)))); using AlphaMST; include($(repr(joinpath(@__DIR__, "grid.jl"))))
+        context = Context()
+        mesh, done, collections = grid(40; context = context), Threads.Atomic{Bool}(false), Ref(0)
+        set_progress!((fraction, stage) -> length(map(string, 1:100)) == 0, context) # allocates
+        Threads.@threads for thread in 1:2
+            if thread == 1
+                adapt!(mesh, 1.3)
+                done[] = true
+            else
+                while !done[]
+                    Libc.systemsleep(0.02)
+                    before = progress(context)
+                    GC.gc()
+                    0 < before && progress(context) < 1 && (collections[] += 1)
+                end
+            end
+        end
+        print(nfaces(mesh), ' ', min(collections[], 2))
+        """
+    command = `$(Base.julia_cmd()) --startup-file=no -e $program`
+    @test read(in_environment(command, pairs((JULIA_NUM_THREADS = "2",))), String) == "2080 2"
+end
+
 @testset "use after close" begin
     mesh, patches = grid_with_square()
     context, options, report = Context(), Options(), smooth!(mesh, patches)

@@ -12,6 +12,7 @@
     @test options[:align] == 0
     @test options[:chart] == 0
     @test options[:keep_boundary] == 0
+    @test options[:starts] == 1
     @test options[:tolerance] === 0.5
     @test options[:effort] === 1.0
     @test options[:size_weight] === 0.7
@@ -25,7 +26,7 @@ end
     options = Options(seed = 2^40 + 7, smooth_steps = 3, repair_patches = false, candidates = 5,
                       node_limit = 10^9, quadrangulate = 1, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12,
                       align = 1, chart = 3, tolerance = 0.25, effort = 4, size_weight = 0.3, transition = 0.75,
-                      least_size = 0.0625, keep_boundary = true, sharp_angle = 25, size_band = 0.75)
+                      least_size = 0.0625, keep_boundary = true, sharp_angle = 25, size_band = 0.75, starts = 3)
     @test options[:seed] == 2^40 + 7
     @test options[:smooth_steps] == 3
     @test options[:repair_patches] == 0
@@ -43,6 +44,7 @@ end
     @test options[:transition] === 0.75
     @test options[:least_size] === 0.0625
     @test options[:keep_boundary] == 1
+    @test options[:starts] == 3
     @test options[:sharp_angle] === 25.0
     @test options[:size_band] === 0.75
     options[:seed] = 9

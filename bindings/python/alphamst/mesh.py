@@ -93,10 +93,17 @@ class Mesh(
             self,
         )
 
-    def copy(self) -> Self:
-        """A mesh of its own, in the same context, with all but the savepoints."""
+    def copy(self, context: Context | None = None) -> Self:
+        """A mesh of its own with all but the savepoints, in the same context or in another one.
+
+        For threads that work at the same time, each on a copy in a context of its own. Into a given context no
+        function of `set_projection` comes along, as it might be called on several threads at once.
+        """
         mesh = type(self).__new__(type(self))
-        _alphamst.amst_mesh_clone(self, mesh)
+        if context is None:
+            _alphamst.amst_mesh_clone(self, mesh)
+        else:
+            _alphamst.amst_mesh_clone_into(self, context, mesh)
         return mesh
 
     def __repr__(self) -> str:

@@ -23,6 +23,7 @@ KEYS = {
     "align": 8,
     "chart": 9,
     "keep_boundary": 10,
+    "starts": 11,
     "min_quality": 1000,
     "min_convexity": 1001,
     "patch_faces": 1002,
@@ -50,6 +51,7 @@ class Settings(TypedDict, total=False):
     align: int
     chart: int
     keep_boundary: int
+    starts: int
     min_quality: float
     min_convexity: float
     patch_faces: float
@@ -82,6 +84,7 @@ class Options(Handle):
     | `align` | 0 | 0 or 1: edges of curved meshes follow their cross field |
     | `chart` | 0 | map of what is curved, 1: mean value, 2: conformal, 3: low stretch |
     | `keep_boundary` | 0 | 0 or 1: new meshes get no vertex on the boundary, or fail |
+    | `starts` | 1 | searches of a whole mesh, a thread each; the best is kept, 1 to 1000 |
     | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
     | `min_convexity` | 0.6 | a patch below has `Defect.NOT_CONVEX`, 0 to 1 |
     | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |
@@ -121,6 +124,7 @@ class Options(Handle):
     align: int
     chart: int
     keep_boundary: int
+    starts: int
     min_quality: float
     min_convexity: float
     patch_faces: float

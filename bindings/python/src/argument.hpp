@@ -107,12 +107,15 @@ template <class T> struct Argument<Role::create, T **> {
         passed = &made;
         return (handle = empty_handle(object)) != nullptr;
     }
-    // A copy has the callbacks of its original; options and reports need nothing.
+    // Options and reports need nothing; the rest is made in a context or, like a copy, has all of its
+    // original.
     void keep(const Uses &uses) {
         if (made == nullptr)
             return;
         constexpr Kind kind = kind_of<T>;
-        Handle *source = kind == Kind::mesh || kind == Kind::patches ? uses.first() : nullptr;
+        Handle *source = nullptr;
+        if constexpr (kind == Kind::mesh || kind == Kind::patches)
+            source = uses.source();
         const bool copy = source != nullptr && source->kind == kind;
         fill(handle, kind, made, copy ? source->parent : source);
         if (copy)

@@ -17,6 +17,13 @@ bool is_free(const Handle *handle, bool changes) {
 
 } // namespace
 
+Handle *Uses::source() const {
+    for (int i = 0; i < n_used; ++i)
+        if (used[i].handle->kind == Kind::context)
+            return used[i].handle;
+    return n_used > 0 ? used[0].handle : nullptr;
+}
+
 bool Uses::allowed() const {
     for (int i = 0; i < n_used; ++i)
         for (Handle *handle = used[i].handle; handle != nullptr; handle = next(handle, used[i].changes))

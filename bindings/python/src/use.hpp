@@ -13,7 +13,8 @@ public:
     ~Uses();
 
     void add(Handle *handle, bool changes) { used[n_used++] = {handle, changes}; }
-    Handle *first() const { return n_used > 0 ? used[0].handle : nullptr; }
+    // What something new is made of: the context if there is one, else the first.
+    Handle *source() const;
     // Whether no other thread is in the way; else there is an exception.
     bool allowed() const;
     // Tell other threads, until this object ends. Called with the lock, as all here.

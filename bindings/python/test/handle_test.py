@@ -187,6 +187,16 @@ class Threads(unittest.TestCase):
         mesh.smooth()  # free again
         mesh.close()
 
+    def test_copies_in_contexts_of_their_own(self):
+        mesh = grid(12)
+        mesh.set_projection(lambda markers, xy: 1 / 0)
+        copies = [mesh.copy(Context()) for _ in range(4)]
+        self.assertEqual(len({id(one.context) for one in [mesh, *copies]}), 5)
+        self.assertEqual(
+            self.run_together([lambda one=one: one.adapt(2, edit_boundary=1) for one in copies]), []
+        )
+        self.assertEqual(len({one.checksum() for one in copies}), 1)
+
     def test_others_go_on(self):
         """While an operation runs the interpreter's lock is free."""
         jobs = [lambda: grid(20).adapt(2) for _ in range(4)]

@@ -152,6 +152,7 @@ pub const AMST_OPT_STRATEGY: amst_option = 7;
 pub const AMST_OPT_ALIGN: amst_option = 8;
 pub const AMST_OPT_CHART: amst_option = 9;
 pub const AMST_OPT_KEEP_BOUNDARY: amst_option = 10;
+pub const AMST_OPT_STARTS: amst_option = 11;
 pub const AMST_OPT_MIN_QUALITY: amst_option = 1000;
 pub const AMST_OPT_MIN_CONVEXITY: amst_option = 1001;
 pub const AMST_OPT_PATCH_FACES: amst_option = 1002;
@@ -445,6 +446,13 @@ extern "C" {
 }
 extern "C" {
     pub fn amst_mesh_clone(mesh: *const amst_mesh, out: *mut *mut amst_mesh) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_clone_into(
+        mesh: *const amst_mesh,
+        ctx: *mut amst_context,
+        out: *mut *mut amst_mesh,
+    ) -> amst_status;
 }
 extern "C" {
     pub fn amst_mesh_destroy(mesh: *mut amst_mesh);

@@ -338,6 +338,28 @@ impl Mesh {
         self.ask(|mesh| check(unsafe { sys::amst_mesh_check(mesh) }))
     }
 
+    /// A mesh of its own in another context, without savepoints and without projection: for threads that work at
+    /// the same time, each on a clone in a context of its own.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let clones: Vec<Mesh> = (0..2).map(|_| mesh.clone_into(&Context::new())).collect();
+    /// let sums: Vec<i64> = std::thread::scope(|scope| {
+    ///     let work = |mut mesh: Mesh| mesh.adapt(None, 2.0, None).map(|_| mesh.checksum());
+    ///     let threads: Vec<_> = clones.into_iter().map(|mesh| scope.spawn(move || work(mesh))).collect();
+    ///     threads.into_iter().map(|thread| thread.join().unwrap()).collect::<Result<_>>()
+    /// })?;
+    /// assert_eq!(sums[0], sums[1]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn clone_into(&self, context: &Context) -> Self {
+        let raw = must(
+            self.ask(|mesh| create(|out| unsafe { sys::amst_mesh_clone_into(mesh, context.raw(), out) })),
+        );
+        Self { raw, shared: Arc::clone(&context.shared), projection: None }
+    }
+
     /// A digest of coordinates, connectivity, flags and markers; equal for equal meshes. Fields
     /// and names of markers are not in it.
     ///

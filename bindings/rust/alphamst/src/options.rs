@@ -38,6 +38,9 @@ enumeration! {
         Chart = AMST_OPT_CHART,
         /// Integer 0 or 1, 0: new meshes get no vertex on the boundary, or fail.
         KeepBoundary = AMST_OPT_KEEP_BOUNDARY,
+        /// Integer, 1: searches of a whole mesh with different luck, of which the best is kept; they share the
+        /// threads of the context, 1 to 1000.
+        Starts = AMST_OPT_STARTS,
         /// Real, 0.0: no filling with a scaled Jacobian at or below, 0 to 1.
         MinQuality = AMST_OPT_MIN_QUALITY,
         /// Real, 0.6: a patch below is [`Defects::NOT_CONVEX`](crate::Defects::NOT_CONVEX), 0 to 1.
@@ -218,6 +221,17 @@ impl Options {
     #[must_use]
     pub fn keep_boundary(self, keep_boundary: bool) -> Self {
         must(self.with_int(OptionKey::KeepBoundary, keep_boundary.into()))
+    }
+
+    /// Sets [`OptionKey::Starts`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().starts(4)?.get_int(OptionKey::Starts)?, 4);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn starts(self, searches: i64) -> Result<Self> {
+        self.with_int(OptionKey::Starts, searches)
     }
 
     /// Sets [`OptionKey::Chart`].

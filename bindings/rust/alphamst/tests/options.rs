@@ -4,8 +4,8 @@ use alphamst::*;
 #[test]
 fn defaults_are_those_of_the_header() {
     let options = Options::default();
-    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map(|key| options.get_int(key).unwrap());
-    assert_eq!(integers, [0, 20, 1, 16, 1000, 0, 0, 0, 0, 0, 0]);
+    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [0, 20, 1, 16, 1000, 0, 0, 0, 0, 0, 0, 1]);
     let reals =
         [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008].map(|key| options.get_real(key).unwrap());
     assert_eq!(reals, [0.0, 0.6, 100.0, 0.5, 1.0, 0.7, 0.5, 0.125, 40.0]);
@@ -47,12 +47,14 @@ fn every_setter_sets_its_own_key() {
         .least_size(0.0625)
         .unwrap()
         .keep_boundary(true)
+        .starts(3)
+        .unwrap()
         .sharp_angle(25.0)
         .unwrap()
         .size_band(0.75)
         .unwrap();
-    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map(|key| options.get_int(key).unwrap());
-    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000, 1, 1, 1, 1, 2, 1]);
+    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000, 1, 1, 1, 1, 2, 1, 3]);
     let reals = [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008, 1009]
         .map(|key| options.get_real(key).unwrap());
     assert_eq!(reals, [0.25, 0.75, 12.5, 0.125, 4.0, 0.3, 0.875, 0.0625, 25.0, 0.75]);
