@@ -17,6 +17,7 @@ namespace {
 // What a format has a place for.
 struct Keeps {
     bool edges, faces_and_points, names; // markers of these, and what they are called
+    bool fields;                         // of vertices and faces
 };
 
 struct Format {
@@ -26,12 +27,13 @@ struct Format {
     Keeps keeps;
 };
 
-constexpr std::array<Format, 6> formats{{{".off", parse_off, print_off, {false, false, false}},
-                                         {".obj", parse_obj, print_obj, {false, false, false}},
-                                         {".ply", parse_ply, print_ply, {false, false, false}},
-                                         {".msh", parse_msh, print_msh, {true, true, true}},
-                                         {".su2", parse_su2, print_su2, {true, false, true}},
-                                         {".vtk", parse_vtk, print_vtk, {true, true, false}}}};
+constexpr std::array<Format, 7> formats{{{".off", parse_off, print_off, {false, false, false, false}},
+                                         {".obj", parse_obj, print_obj, {false, false, false, false}},
+                                         {".ply", parse_ply, print_ply, {false, false, false, false}},
+                                         {".msh", parse_msh, print_msh, {true, true, true, false}},
+                                         {".su2", parse_su2, print_su2, {true, false, true, false}},
+                                         {".vtk", parse_vtk, print_vtk, {true, true, true, true}},
+                                         {".vtu", parse_vtu, print_vtu, {true, true, true, true}}}};
 
 std::string_view extension(std::string_view path) {
     const std::size_t dot = path.find_last_of("./\\");
@@ -88,13 +90,21 @@ std::vector<std::string> left_out(const Format &format, const Arrays &mesh) {
         return format.keeps.names && (name.first.first == Entity::edge || format.keeps.faces_and_points);
     };
     say(std::ranges::count_if(mesh.names, std::not_fn(kept)), " names of markers");
+    const auto lost = [&](const auto &field) {
+        return !format.keeps.fields || field->entity == Entity::edge;
+    };
+    std::string fields;
+    for (const auto &field : mesh.fields)
+        if (lost(field))
+            fields += (fields.empty() ? ": " : ", ") + io::quoted(field->name);
+    say(std::ranges::count_if(mesh.fields, lost), (" fields" + fields).c_str());
     return remarks;
 }
 
 } // namespace
 
 Arrays read(const std::string &path) {
-    const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk");
+    const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk, .vtu, .amst");
     const std::string bytes = load(path);
     std::string_view text = bytes;
     if (constexpr std::string_view mark = "\xef\xbb\xbf"; text.starts_with(mark)) // of UTF-8
@@ -105,7 +115,7 @@ Arrays read(const std::string &path) {
 }
 
 std::vector<std::string> write(const std::string &path, const Arrays &mesh) {
-    const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk, .svg");
+    const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk, .vtu, .amst, .svg");
     check(mesh);
     std::vector<std::string> remarks = left_out(format, mesh);
     save(path, format.print(mesh));
