@@ -431,13 +431,15 @@ AMST_TRY amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
                                           const amst_options *options, amst_mesh **out);
 /* Format by extension; path is UTF-8:
  *
- *   extension        reads                         writes          markers and names         fields
- *   .off .obj .ply   ASCII, .ply also binary       ASCII           none                      none
- *   .msh (Gmsh)      1, 2.2, 4.0, 4.1 ASCII        2.2 ASCII       all                       none
- *   .su2             all                           all             of edges                  none
- *   .vtk (legacy)    ASCII, binary                 ASCII           all                       not of edges
- *   .vtu (VTK XML)   ASCII, base64, raw, zlib      raw             all                       not of edges
- *   .amst            version 1                     version 1       all                       all
+ *   extension        reads                            writes      markers and names     fields
+ *   .off .obj .ply   ASCII, .ply also binary          ASCII       none                  none
+ *   .msh (Gmsh)      1, 2.2, 4.0, 4.1 ASCII,          2.2 ASCII   all                   none
+ *   .msh4            2.2, 4.1 binary                  4.1 ASCII   all above 0           none
+ *   .su2             all                              all         of edges              none
+ *   .inp (Abaqus)    meshes of one part               -           all                   none
+ *   .vtk (legacy)    ASCII, binary                    ASCII       all                   not of edges
+ *   .vtu (VTK XML)   ASCII, base64, raw, zlib         raw         all                   not of edges
+ *   .amst            version 1                        version 1   all                   all
  *
  * dim is 2 when every z is 0. Triangles become quads as in amst_mesh_create; none is merged with one of
  * another region or over an edge with a marker, the halves of such an edge keep its marker, vertices with a
@@ -446,6 +448,10 @@ AMST_TRY amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
  *        several groups the smallest number counts, and AMST_LOG_WARNING tells. If no line is in a
  *        group, edges have the numbers of their curves. Meshes in parts are read whole.
  *  .su2  The boundaries get the markers 1, 2, ... in the order of the file, and their tags as names.
+ *  .inp  Shells and elements in a plane of 3 or 4 nodes, and lines of 2. The k-th set or surface of a name
+ *        is number k: sets of elements of faces and lines, surfaces of edges (with SPOS and SNEG of faces),
+ *        sets of one node of this vertex, of several nodes of the edges of the boundary between them. Of
+ *        several sets the first counts, and AMST_LOG_WARNING tells. Nodes to be generated are refused.
  *  .vtk, .vtu
  *        Markers of faces, lines and vertex cells are the first of these data of cells that is there, in
  *        whole numbers: "marker", "gmsh:physical", "medit:ref", "cell_tags", "MaterialIds", "RegionId",
@@ -464,13 +470,14 @@ AMST_TRY amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
  * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant, version) and those of amst_mesh_create. */
 AMST_TRY amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                                     amst_mesh **out);
-/* The same formats, and .svg, a picture with the singularities marked and, if there is an edge field "chord",
- * with a line through each face between opposite edges of equal value, whose colour the value chooses. Faces
- * are blue or red if there is a face field "size error" of 1 component, the more so the farther it is below
- * or above 0. A curved mesh is shaded, and what lies behind it is left out. In .su2 markers without a name
- * are named by their numbers; in .vtk and .vtu edges with a marker are line cells, vertices with one vertex
- * cells. AMST_LOG_WARNING tells what is left out. A failure leaves no half-written file. Errors: IO,
- * UNSUPPORTED (extension). */
+/* The same formats but .inp, and .svg, a picture with the singularities marked and, if there is an edge
+ * field "chord", with a line through each face between opposite edges of equal value, whose colour the value
+ * chooses. Faces are blue or red if there is a face field "size error" of 1 component, the more so the
+ * farther it is below or above 0. A curved mesh is shaded, and what lies behind it is left out. In .su2
+ * markers without a name are named by their numbers; in .msh4 faces come in the order of their markers, so
+ * that their ids change; in .vtk and .vtu edges with a marker are line cells, vertices with one vertex cells.
+ * AMST_LOG_WARNING tells what is left out. A failure leaves no half-written file. Errors: IO, UNSUPPORTED
+ * (extension). */
 AMST_TRY amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, markers, fields and revision, without savepoints. */
 AMST_TRY amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);

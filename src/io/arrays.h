@@ -38,10 +38,10 @@ struct Arrays {
     std::string left_out;
 };
 
-// Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk .vtu. Throws Failure: io (cannot be
-// opened, read or written), format (malformed, with line number or byte offset in the sentence), unsupported
-// (extension or binary variant not known), not_quad (a face of neither three nor four corners), range (a
-// corner that is not a vertex of the file), not_finite.
+// Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk .vtu .inp. Throws Failure: io
+// (cannot be opened, read or written), format (malformed, with line number or byte offset in the sentence),
+// unsupported (extension or binary variant not known), not_quad (a face of neither three nor four corners),
+// range (a corner that is not a vertex of the file), not_finite.
 Arrays read(const std::string &path);
 // .msh is MSH 2.2. A failed write leaves the file that was there. Returns sentences about the markers and
 // fields that the format does not keep. Throws likewise, and argument if the arrays do not fit together.

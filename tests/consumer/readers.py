@@ -1,8 +1,9 @@
-"""Files of the library in the hands of VTK and meshio, and theirs in its own: points, faces, markers and fields are
-the same. readers.py LIBRARY FOLDER, with the system's Python that has both."""
+"""Files of the library in the hands of VTK, meshio and Gmsh, and theirs in its own: points, faces, markers and fields are
+the same. readers.py LIBRARY FOLDER GMSH, with the system's Python that has both."""
 
 import ctypes
 import os
+import subprocess
 import sys
 
 import meshio
@@ -129,18 +130,18 @@ def test_vtk_reads(library, folder):
 
 def test_meshio_reads(library, folder):
     points, faces, more = sample()
-    for extension in ("vtu", "vtk", "msh"):
+    for extension in ("vtu", "vtk", "msh", "msh4"):
         path = f"{folder}/ours.{extension}"
         full(library)("write", path.encode())
-        found = meshio.read(path)
+        found = meshio.read(path, file_format="gmsh" if extension.startswith("msh") else extension)
         same(found.points, points, path)
         same(found.cells_dict["quad"], faces, path)
-        markers = found.cell_data_dict["gmsh:physical" if extension == "msh" else "marker"]
+        markers = found.cell_data_dict["gmsh:physical" if extension.startswith("msh") else "marker"]
         same(markers["quad"], more["region"], path)
         lines = {tuple(sorted(map(int, ends))): int(marker)
                  for ends, marker in zip(found.cells_dict["line"], markers["line"])}
         assert lines == more["edges"], lines
-        if extension != "msh":
+        if not extension.startswith("msh"):
             same(found.point_data["heat"], more["heat"], "heat")
             same(found.point_data["velocity"], more["velocity"], "velocity")
             same(found.cell_data_dict["load"]["quad"], more["load"], "load")
@@ -228,8 +229,26 @@ def test_library_reads(library, folder):
         mesh.library.calls.amst_mesh_destroy(mesh.handle)
 
 
+def test_gmsh_reads_and_writes(library, folder):
+    """In binary, and in 4.1 what is written in 2.2 and the other way round."""
+    points, faces, more = sample()
+    for extension in ("msh", "msh4"):
+        ours = f"{folder}/for_gmsh.{extension}"
+        full(library)("write", ours.encode())
+        for version in ("msh22", "msh41"):
+            for more_arguments in ([], ["-bin"]):
+                path = f"{folder}/{extension}_{version}{''.join(more_arguments)}.msh"
+                subprocess.run([sys.argv[3], ours, "-save", "-format", version, "-o", path, "-v", "2", *more_arguments],
+                               check=True)
+                mesh = Mesh(library).read(path)
+                assert np.allclose(mesh.array("get_points", np.float64), points.ravel(), rtol=1e-15, atol=0), path
+                assert sorted(mesh.markers(FACE)) == sorted(more["region"]), path
+                assert mesh.edges() == more["edges"], path
+                library.calls.amst_mesh_destroy(mesh.handle)
+
+
 def main():
-    path, folder = sys.argv[1:]
+    path, folder = sys.argv[1:3]
     os.makedirs(folder, exist_ok=True)
     for name in os.listdir(folder):
         os.remove(os.path.join(folder, name))
