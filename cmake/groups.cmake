@@ -74,5 +74,5 @@ function(alphamst_compile_in_groups target)
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     # Types of an unnamed namespace are as good in a source that a group includes as they are in any source.
-    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>) # Clang does not warn
 endfunction()

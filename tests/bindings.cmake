@@ -1,4 +1,4 @@
-# Rust and Julia, ends of handles under valgrind, and the examples, which print the same in
+# Rust, Julia and Python, ends of handles under valgrind, and the examples, which print the same in
 # every language.
 
 # -------------------------------------------------------------------- Rust
@@ -44,6 +44,14 @@ add_test(NAME julia.test COMMAND "${JULIA}" --startup-file=no ${julia_project}
 set_tests_properties(julia.test PROPERTIES
     LABELS julia ENVIRONMENT "${julia_environment}" RESOURCE_LOCK julia TIMEOUT 900)
 
+# ------------------------------------------------------------------ Python
+
+# The package that the build has made, with the Python that it was made for.
+set(python_environment "PYTHONPATH=${PROJECT_BINARY_DIR}/bindings/python" "PYTHONDONTWRITEBYTECODE=1")
+add_test(NAME python.test
+    COMMAND "${PYTHON}" -W error -m unittest discover -s "${PROJECT_SOURCE_DIR}/bindings/python/test" -p "*_test.py")
+set_tests_properties(python.test PROPERTIES LABELS python ENVIRONMENT "${python_environment}" TIMEOUT 300)
+
 # --------------------------------------------------- projects of other people
 
 foreach(language rust julia)
@@ -82,4 +90,6 @@ foreach(name improve front simplify sizes corners undo chords surface wall wave)
     add_example_test(julia ${name}
         "${JULIA}" --startup-file=no ${julia_project} "${PROJECT_SOURCE_DIR}/examples/julia/${name}.jl")
     set_tests_properties(example.julia.${name} PROPERTIES ENVIRONMENT "${julia_environment}" RESOURCE_LOCK julia)
+    add_example_test(python ${name} "${PYTHON}" "${PROJECT_SOURCE_DIR}/examples/python/${name}.py")
+    set_tests_properties(example.python.${name} PROPERTIES ENVIRONMENT "${python_environment}")
 endforeach()

@@ -167,7 +167,8 @@ std::vector<Boundary::Length> lengths_of(const mesh::QuadMesh &mesh, const Bound
                            std::log(std::max(length, 1e-300))});
     }
     smooth(lengths);
-    std::ranges::rotate(lengths, std::ranges::min_element(lengths, {}, &Boundary::Length::along));
+    std::rotate(lengths.begin(), std::ranges::min_element(lengths, {}, &Boundary::Length::along),
+                lengths.end());
     return lengths;
 }
 

@@ -4,15 +4,18 @@
 fortran     amst_c_*.f90: functions as gfortran's -fc-prototypes prints them, constants, struct
 julia       LibAlphaMST.jl: functions as the @ccall lines say, constants, struct; every
             @cfunction is like a callback of the header
+python      module.cpp: a line for each function, whose arguments the compiler takes from the header; the tables
+            of the package: constants
 rust        bindings.rs is what generate.sh makes of the header today
 
 Of a function: its name, and of each argument name, place, width and kind; the names, since
-a swap of two arguments of one type shows in nothing else. Then, in all three, that the
+a swap of two arguments of one type shows in nothing else. Then, in all four, that the
 idiomatic layer uses every function of the raw one, and where its documentation gives the
 defaults of options, that they are those of the header.
 """
 
 import argparse
+import ast
 import difflib
 import pathlib
 import re
@@ -25,11 +28,14 @@ from header import ROOT, Function, Interface, defaults, interface, must_run
 BINDINGS = ROOT / "bindings"
 FORTRAN = BINDINGS / "fortran" / "src"
 JULIA = BINDINGS / "julia" / "src"
+PYTHON = BINDINGS / "python"
 RUST = BINDINGS / "rust"
-COMMENTS = {".f90": r"!.*", ".jl": r'"""(?s:.*?)"""|#.*', ".rs": r"//.*"}
+COMMENTS = {".f90": r"!.*", ".jl": r'"""(?s:.*?)"""|#.*', ".rs": r"//.*",
+            ".cpp": r"//.*", ".py": r'(?s:""".*?""")|#.*'}
 # Naming a function there is not yet using it.
 IMPORTS = {".f90": r"(?im)^\s*use\b(?:.*&\s*\n)*.*$",
-           ".jl": r"(?m)^\s*(?:using|import|export)\b(?:.*,\s*\n)*.*$", ".rs": r"(?s)\buse\s.*?;"}
+           ".jl": r"(?m)^\s*(?:using|import|export)\b(?:.*,\s*\n)*.*$", ".rs": r"(?s)\buse\s.*?;",
+           ".py": r"(?m)^\s*(?:from|import)\b.*$"}
 
 
 def source(path):
@@ -232,6 +238,65 @@ def julia(header):
     return wrong + list(compare(header, found)) + unused(header.functions.keys(), idiomatic)
 
 
+# ---------------------------------------------------------------------- Python
+
+# Where each enumeration is: the file, the table or class in it, the prefix that its names have in the header.
+PYTHON_TABLES = [
+    ("error.py", "ENTITIES", "AMST_"), ("flag.py", "Flag", "AMST_FLAG_"), ("field.py", "CARRIES", "AMST_CARRY_"),
+    ("patches.py", "Defect", "AMST_DEFECT_"), ("patches.py", "DECOMPOSITIONS", "AMST_DECOMPOSE_"),
+    ("patches.py", "ALL", "AMST_"), ("chord.py", "PROPERTIES", "AMST_CHORD_"), ("chord.py", "Refusal", "AMST_REFUSAL_"),
+    ("quality.py", "METRICS", "AMST_METRIC_"), ("options.py", "KEYS", "AMST_OPT_"), ("report.py", "KEYS", "AMST_RESULT_"),
+    ("report.py", "ALL", "AMST_"), ("context.py", "LOG_LEVELS", "AMST_LOG_")]
+# A number without a name in Python: nothing, done, in part.
+PYTHON_UNNAMED = {"AMST_ENTITY_NONE", "AMST_OK", "AMST_PARTIAL"}
+
+
+def python_table(path, name):
+    """Names and numbers of a dictionary, of the constants of a class, or of one constant."""
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.ClassDef) and node.name == name:
+            return {entry.targets[0].id: entry.value.value for entry in node.body if isinstance(entry, ast.Assign)}
+        if isinstance(node, ast.Assign) and node.targets[0].id == name:
+            value = ast.literal_eval(node.value)
+            return value if isinstance(value, dict) else {name: value}
+    return {}
+
+
+def python_constants(header):
+    found = {}
+    for file, table, prefix in PYTHON_TABLES:
+        for name, value in python_table(PYTHON / "alphamst" / file, table).items():
+            found[prefix + name.upper()] = value
+    # Names of exceptions are not those of statuses; a test asks the library for them.
+    classes = re.search(r"(?s)^CLASSES = \{(.*?)^\}", source(PYTHON / "alphamst" / "error.py"), flags=re.M)[1]
+    statuses = {int(number) for number in re.findall(r"(-\d+):", classes)}
+    for name, value in header.constants.items():
+        if name in PYTHON_UNNAMED or name.startswith("AMST_ERR_") and value in statuses:
+            found[name] = value
+    return found
+
+
+def python(header):
+    extension = PYTHON / "src"
+    module = source(extension / "module.cpp")
+    named = re.findall(r'\b(?:QUICK|SLOW|FREE)\((amst_\w+)\)|[{(]"(amst_\w+)"', module)
+    named = {one or other for one, other in named}
+    # Of these closing and failing are made.
+    inner = {name for name in header.functions if name.endswith("_destroy") or name.startswith("amst_last_error")}
+    functions = header.functions.keys() - inner
+    wrong = [f"{name}: missing" for name in sorted(functions - named)]
+    wrong += [f"{name}: no such function in the header" for name in sorted(named - functions)]
+    # What is not in module.cpp by its own name alone, the compiler holds to the header where it is called.
+    called = {word for path in extension.glob("*.cpp")
+              for word in re.findall(r"\bamst_\w+", re.sub(r'"\w+"', "", source(path)))}
+    wrong += [f"{name}: not called" for name in sorted(header.functions.keys() - called)]
+    tables = header._replace(functions={}, structs={})
+    wrong += compare(tables, Interface({}, {}, python_constants(header), {}, {}))
+    package = PYTHON / "alphamst"
+    wrong += wrong_defaults(package / "options.py", r"(?m)^ *\| `(?P<name>\w+)` \| (?P<value>[-\d.]+) \|")
+    return wrong + unused(functions, package.glob("*.py"))
+
+
 # ------------------------------------------------------------------------ Rust
 
 def rust(header):
@@ -252,7 +317,7 @@ def rust(header):
     return wrong + unused(header.functions.keys(), (RUST / "alphamst" / "src").rglob("*.rs"))
 
 
-LANGUAGES = {"fortran": fortran, "julia": julia, "rust": rust}
+LANGUAGES = {"fortran": fortran, "julia": julia, "python": python, "rust": rust}
 
 
 def main():

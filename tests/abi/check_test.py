@@ -20,6 +20,7 @@ H = "include/alphamst/alphamst.h"
 FORTRAN_TYPES, FORTRAN_CONTEXT, FORTRAN_MESH = (f"bindings/fortran/src/amst_c_{part}.f90"
                                                 for part in ("types", "context", "mesh"))
 JULIA = "bindings/julia/src/LibAlphaMST.jl"
+PYTHON = "bindings/python/src/module.cpp"
 RUST = "bindings/rust/alphamst-sys/src/bindings.rs"
 
 # In the file, after the first place of `after`, the next `old` becomes `new`; then the check says so.
@@ -189,9 +190,31 @@ RUST_MISTAKES = [
             "bindings.rs: missing 'pub const AMST_LOG_ALL"),
 ]
 
+PYTHON_MISTAKES = [
+    Mistake("function missing", "python", PYTHON, "", "    SLOW(amst_mesh_check),\n", "", "amst_mesh_check: missing"),
+    Mistake("function missing", "python", PYTHON, "", "SLOW(amst_mesh_check)", "// SLOW(amst_mesh_check)",
+            "amst_mesh_check: missing"),
+    Mistake("under another name", "python", PYTHON, "", 'method<find_edges, Way::quick>("amst_mesh_find_edges")',
+            'method<find_edges, Way::quick>("amst_mesh_get_edges")', "amst_mesh_find_edges: missing"),
+    Mistake("another function under the name", "python", PYTHON, "amst_status find_edges", "amst_mesh_find_edges(",
+            "amst_mesh_get_edges(", "amst_mesh_find_edges: not called"),
+    Mistake("wrong constant", "python", "bindings/python/alphamst/flag.py", "", "FEATURE = 2", "FEATURE = 8",
+            "AMST_FLAG_FEATURE: 8, not 2"),
+    Mistake("constant missing", "python", "bindings/python/alphamst/quality.py", "", '"taper": 18,', "",
+            "AMST_METRIC_TAPER: missing"),
+    Mistake("exception missing", "python", "bindings/python/alphamst/error.py", "", "-9: StaleError,", "",
+            "AMST_ERR_STALE: missing"),
+    Mistake("default changed", "python", "bindings/python/alphamst/options.py", "", "`node_limit` | 1000 |",
+            "`node_limit` | 900 |", "AMST_OPT_NODE_LIMIT: default 900.0, not 1000.0"),
+    Mistake("header has moved on", "python", H, "", "AMST_LOG_DEBUG = 3,", "AMST_LOG_DEBUG = 3, AMST_LOG_ALL = 4,",
+            "AMST_LOG_ALL: missing"),
+    Mistake("header has moved on", "python", H, "", "AMST_API void amst_mesh_destroy",
+            "AMST_API int32_t amst_new(void);\nAMST_API void amst_mesh_destroy", "amst_new: missing"),
+]
+
 # Where the idiomatic layer is, and the raw file with the functions of meshes, which does not count.
 IDIOMATIC = {"fortran": ("bindings/fortran/src", FORTRAN_MESH), "julia": ("bindings/julia/src", JULIA),
-             "rust": ("bindings/rust/alphamst/src", RUST)}
+             "python": ("bindings/python/alphamst", PYTHON), "rust": ("bindings/rust/alphamst/src", RUST)}
 
 
 class Copy(unittest.TestCase):
@@ -243,7 +266,7 @@ class Copy(unittest.TestCase):
                 self.assertEqual(code, 0, output)
 
     def test_mistakes(self):
-        for mistake in HEADER_MISTAKES + FORTRAN_MISTAKES + JULIA_MISTAKES + RUST_MISTAKES:
+        for mistake in HEADER_MISTAKES + FORTRAN_MISTAKES + JULIA_MISTAKES + PYTHON_MISTAKES + RUST_MISTAKES:
             with self.subTest(f"{mistake.check}: {mistake.what}"):
                 path = self.root / mistake.file
                 before, after, rest = path.read_text(encoding="utf-8").partition(mistake.after or "\n")

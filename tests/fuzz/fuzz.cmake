@@ -1,0 +1,12 @@
+# Programs that libFuzzer drives, preset "fuzz": scripts/fuzz runs them. read_<format> for each format, and calls.
+foreach(format off obj ply msh su2 vtk vtu inp amst)
+    add_executable(fuzz_read_${format} "${CMAKE_CURRENT_LIST_DIR}/read_fuzz.cpp")
+    target_compile_definitions(fuzz_read_${format} PRIVATE FORMAT="${format}")
+    list(APPEND fuzzers fuzz_read_${format})
+endforeach()
+add_executable(fuzz_calls "${CMAKE_CURRENT_LIST_DIR}/calls_fuzz.cpp")
+list(APPEND fuzzers fuzz_calls)
+foreach(fuzzer ${fuzzers})
+    target_link_libraries(${fuzzer} PRIVATE alphamst::alphamst alphamst_flags)
+    target_link_options(${fuzzer} PRIVATE -fsanitize=fuzzer)
+endforeach()
