@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 #include <type_traits>
 
@@ -73,6 +74,8 @@ public:
                 std::rethrow_exception(thrown_);
             if (elements_.appended)
                 break;
+            if (status != XML_STATUS_OK && XML_GetErrorCode(parser_.get()) == XML_ERROR_NO_MEMORY)
+                throw std::bad_alloc();
             if (status != XML_STATUS_OK)
                 fail(Fault::format, XML_ErrorString(XML_GetErrorCode(parser_.get())));
         }
