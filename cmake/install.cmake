@@ -2,7 +2,7 @@
 # alphamst_Development, what is needed to build them.
 list(TRANSFORM ALPHAMST_RUNTIME PREPEND -l)
 list(JOIN ALPHAMST_RUNTIME " " ALPHAMST_RUNTIME)
-set(ALPHAMST_PRIVATE_LIBS "-lOpenMeshCore -ltbb ${ALPHAMST_RUNTIME} -pthread")
+set(ALPHAMST_PRIVATE_LIBS "-lOpenMeshCore -ltbb -lexpat -lz ${ALPHAMST_RUNTIME} -pthread")
 # A prefix with the static library alone has one way to link.
 set(ALPHAMST_PC_CFLAGS "")
 set(ALPHAMST_PC_LIBS "")

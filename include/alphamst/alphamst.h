@@ -429,30 +429,55 @@ AMST_TRY amst_status amst_mesh_create_i64(amst_context *ctx, int32_t dim, const 
                                           const int64_t *faces, int64_t n_faces, int64_t face_stride,
                                           int64_t corner_stride, int32_t corners_per_face,
                                           const amst_options *options, amst_mesh **out);
-/* Format by extension: .off .obj .ply .msh (Gmsh 1, 2.2, 4.0, 4.1 ASCII, also of partitioned meshes) .su2
- * .vtk (legacy); path is UTF-8. dim is 2 when every z is 0. Triangles become quads as in amst_mesh_create;
- * none is merged with one of another region or over an edge with a marker, the halves of such an edge keep
- * its marker, and vertices with a marker keep their faces.
+/* Format by extension; path is UTF-8:
+ *
+ *   extension        reads                            writes      markers and names     fields
+ *   .off .obj .ply   ASCII, .ply also binary          ASCII       none                  none
+ *   .msh (Gmsh)      1, 2.2, 4.0, 4.1 ASCII,          2.2 ASCII   all                   none
+ *   .msh4            2.2, 4.1 binary                  4.1 ASCII   all above 0           none
+ *   .su2             all                              all         of edges              none
+ *   .inp (Abaqus)    meshes of one part               -           all                   none
+ *   .vtk (legacy)    ASCII, binary                    ASCII       all                   not of edges
+ *   .vtu (VTK XML)   ASCII, base64, raw, zlib         raw         all                   not of edges
+ *   .amst            version 1                        version 1   all                   all
+ *
+ * dim is 2 when every z is 0. Triangles become quads as in amst_mesh_create; none is merged with one of
+ * another region or over an edge with a marker, the halves of such an edge keep its marker, vertices with a
+ * marker keep their faces, and fields of vertices are interpolated where new ones come.
  *  .msh  Markers of points, edges and faces are the numbers of physical groups, whose names are kept. Of
  *        several groups the smallest number counts, and AMST_LOG_WARNING tells. If no line is in a
- *        group, edges have the numbers of their curves.
+ *        group, edges have the numbers of their curves. Meshes in parts are read whole.
  *  .su2  The boundaries get the markers 1, 2, ... in the order of the file, and their tags as names.
- *  .vtk  Markers of faces, lines and vertex cells are the first of these data of cells that is there, in
+ *  .inp  Shells and elements in a plane of 3 or 4 nodes, and lines of 2. The k-th set or surface of a name
+ *        is number k: sets of elements of faces and lines, surfaces of edges (with SPOS and SNEG of faces),
+ *        sets of one node of this vertex, of several nodes of the edges of the boundary between them. Of
+ *        several sets the first counts, and AMST_LOG_WARNING tells. Nodes to be generated are refused.
+ *  .vtk, .vtu
+ *        Markers of faces, lines and vertex cells are the first of these data of cells that is there, in
  *        whole numbers: "marker", "gmsh:physical", "medit:ref", "cell_tags", "MaterialIds", "RegionId",
- *        "CellEntityIds", the last not of vertex cells.
+ *        "CellEntityIds", the last not of vertex cells. All other data of points and cells become fields of
+ *        vertices and faces: INHERIT those in whole numbers and "cross", else LINEAR and CONSERVE. Names of
+ *        markers and carry rules are data of the whole set, such as "marker edge inlet" and "carry vertex
+ *        heat". Data that are no field, such as those with values that are not finite, are left out.
+ *  .amst A checkpoint, bit for bit: ids, flags, markers, names, fields, the surface and the boundary to keep
+ *        to, and the revision, so that what follows is the same as with the mesh that was written; without
+ *        savepoints and the projection of amst_mesh_set_projection. options have no effect. Every damaged
+ *        byte is found.
  * A line with a marker that is no edge of a face is left out, and so is a point that no face has.
  * AMST_LOG_WARNING tells, and the result is AMST_PARTIAL, unless it was the number of a curve. A byte-order
- * mark of UTF-8 is passed over.
- * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant) and those of amst_mesh_create. */
+ * mark of UTF-8 is passed over. Damaged files are refused with the line or byte, and take memory for what
+ * their bytes hold (about ten times as much at most), not for what they promise.
+ * Errors: IO, FORMAT, UNSUPPORTED (extension, binary variant, version) and those of amst_mesh_create. */
 AMST_TRY amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_options *options,
                                     amst_mesh **out);
-/* The same formats (.msh is Gmsh 2.2), and .svg, a picture with the singularities marked and, if there is an
- * edge field "chord", with a line through each face between opposite edges of equal value, whose colour the
- * value chooses. Faces are blue or red if there is a face field "size error" of 1 component, the more so the
- * farther it is below or above 0. A curved mesh is shaded, and what lies behind it is left out. .msh keeps
- * all markers and names; .vtk markers, as "marker" of cells; .su2 markers of edges, named by their numbers
- * where they have no name; the others none. AMST_LOG_WARNING tells what is left out. A failure leaves no
- * half-written file. Errors: IO, UNSUPPORTED (extension). */
+/* The same formats but .inp, and .svg, a picture with the singularities marked and, if there is an edge
+ * field "chord", with a line through each face between opposite edges of equal value, whose colour the value
+ * chooses. Faces are blue or red if there is a face field "size error" of 1 component, the more so the
+ * farther it is below or above 0. A curved mesh is shaded, and what lies behind it is left out. In .su2
+ * markers without a name are named by their numbers; in .msh4 faces come in the order of their markers, so
+ * that their ids change; in .vtk and .vtu edges with a marker are line cells, vertices with one vertex cells.
+ * AMST_LOG_WARNING tells what is left out. A failure leaves no half-written file. Errors: IO, UNSUPPORTED
+ * (extension). */
 AMST_TRY amst_status amst_mesh_write(const amst_mesh *mesh, const char *path);
 /* A mesh of its own, with flags, markers, fields and revision, without savepoints. */
 AMST_TRY amst_status amst_mesh_clone(const amst_mesh *mesh, amst_mesh **out);

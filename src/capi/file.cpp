@@ -12,9 +12,12 @@
 #include "capi/triangles.h"
 #include "draw/svg.h"
 #include "io/arrays.h"
+#include "io/checkpoint.h"
+#include "io/file.h"
 #include "io/scanner.h"
 #include "mesh/orient.h"
 #include "patch/window.h"
+#include "quadrangulate/fields.h"
 
 namespace alphamst::capi {
 namespace {
@@ -41,6 +44,7 @@ io::Arrays all_quad(const Context &context, io::Arrays arrays, const Options &op
     for (const auto &[vertices, marker] : arrays.marked_edges)
         for (const std::array<std::int32_t, 2> &piece : quadrangulate::pieces(quads, vertices))
             marked_edges.push_back({piece, marker});
+    arrays.fields = quadrangulate::fields_of({arrays.points, arrays.faces, {}, {}}, arrays.fields, quads);
     arrays.face_marker = std::move(face_marker);
     arrays.marked_edges = std::move(marked_edges);
     arrays.points = std::move(quads.points);
@@ -65,6 +69,7 @@ mesh::QuadMesh mesh_of(const io::Arrays &arrays) {
         mesh.vertex_flags[static_cast<std::size_t>(vertex)] |= mesh::corner;
     }
     mesh.names = arrays.names;
+    mesh.fields = arrays.fields;
     return mesh;
 }
 
@@ -89,6 +94,7 @@ io::Arrays arrays_of(const mesh::QuadMesh &mesh) {
         if (mesh.vertex_marker[v] != 0)
             arrays.marked_points.push_back({static_cast<std::int32_t>(v), mesh.vertex_marker[v]});
     arrays.names = mesh.names;
+    arrays.fields = mesh.fields;
     return arrays;
 }
 
@@ -135,10 +141,26 @@ void say_all(const Context &context, const std::string &call, const std::vector<
         context.say(AMST_LOG_WARNING, call + ": " + remark);
 }
 
-bool is_picture(std::string_view path) {
-    constexpr std::string_view extension = ".svg";
+bool has_extension(std::string_view path, std::string_view extension) {
     return path.size() >= extension.size() &&
            io::same_word(path.substr(path.size() - extension.size()), extension);
+}
+bool is_picture(std::string_view path) { return has_extension(path, ".svg"); }
+bool is_checkpoint(std::string_view path) { return has_extension(path, ".amst"); }
+
+// As it was when it was written, but for savepoints and callbacks.
+std::shared_ptr<Mesh> restored(const std::shared_ptr<Context> &context, const std::string &path) {
+    io::Checkpoint checkpoint = io::parse_checkpoint(io::load(path));
+    require_size(checkpoint.mesh->n_vertices(), checkpoint.mesh->n_faces());
+    auto made = std::make_shared<Mesh>(context, std::move(checkpoint.mesh));
+    made->revision = checkpoint.history.revision;
+    made->last_revision = checkpoint.history.last_revision;
+    made->at_creation = {std::move(checkpoint.history.crossed), std::move(checkpoint.history.split)};
+    return made;
+}
+
+io::History history_of(const Mesh &mesh) {
+    return {mesh.revision, mesh.last_revision, mesh.at_creation.crossed, mesh.at_creation.split};
 }
 
 } // namespace
@@ -153,6 +175,10 @@ amst_status amst_mesh_read(amst_context *ctx, const char *path, const amst_optio
         const std::shared_ptr<Context> context = required(ctx, "ctx").impl; // whatever a callback destroys
         required(path, "path");
         amst_mesh *&created = required(out, "out");
+        if (is_checkpoint(path)) {
+            created = new amst_mesh{restored(context, path)};
+            return amst_status{AMST_OK};
+        }
         EdgeChanges changes;
         io::Arrays given = io::read(path);
         const auto n_given = static_cast<std::int64_t>(given.faces.size() / 4);
@@ -179,6 +205,10 @@ amst_status amst_mesh_write(const amst_mesh *mesh, const char *path) {
         const std::shared_ptr<Mesh> written = required(mesh, "mesh").impl; // whatever a callback destroys
         const mesh::QuadMesh &current = *written->current;
         required(path, "path");
+        if (is_checkpoint(path)) {
+            io::save(path, io::print_checkpoint(current, history_of(*written)));
+            return;
+        }
         const io::Arrays arrays = arrays_of(current);
         if (!is_picture(path)) {
             say_all(*written->context, "amst_mesh_write", io::write(path, arrays));

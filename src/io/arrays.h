@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/field.h"
 #include "names.h"
 
 namespace alphamst::io {
@@ -27,20 +28,23 @@ struct Arrays {
     };
     std::vector<MarkedPoint> marked_points;
     Names names; // of markers
+    // One value for each vertex and face as they are above. Of a writer: also of the edges of its mesh, which
+    // no list here numbers.
+    mesh::Fields fields;
 
-    // Of a reader: sentences about markers of the file that are not here, and the first of them about
-    // markers that somebody gave to what is not in the mesh at all, or "".
+    // Of a reader: sentences about markers and fields of the file that are not here, and the first of them
+    // about markers that somebody gave to what is not in the mesh at all, or "".
     std::vector<std::string> remarks;
     std::string left_out;
 };
 
-// Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk. Throws Failure: io (cannot be
-// opened, read or written), format (malformed, with line number or byte offset in the sentence), unsupported
-// (extension or binary variant not known), not_quad (a face of neither three nor four corners), range (a
-// corner that is not a vertex of the file), not_finite.
+// Format by the extension of path (UTF-8): .off .obj .ply .msh .su2 .vtk .vtu .inp. Throws Failure: io
+// (cannot be opened, read or written), format (malformed, with line number or byte offset in the sentence),
+// unsupported (extension or binary variant not known), not_quad (a face of neither three nor four corners),
+// range (a corner that is not a vertex of the file), not_finite.
 Arrays read(const std::string &path);
-// .msh is MSH 2.2. A failed write leaves the file that was there. Returns sentences about the markers that
-// the format does not keep. Throws likewise, and argument if the arrays do not fit together.
+// .msh is MSH 2.2. A failed write leaves the file that was there. Returns sentences about the markers and
+// fields that the format does not keep. Throws likewise, and argument if the arrays do not fit together.
 std::vector<std::string> write(const std::string &path, const Arrays &mesh);
 
 } // namespace alphamst::io

@@ -17,30 +17,35 @@ namespace {
 // What a format has a place for.
 struct Keeps {
     bool edges, faces_and_points, names; // markers of these, and what they are called
+    bool fields;                         // of vertices and faces
+    bool signs = true;                   // of markers
 };
 
 struct Format {
     std::string_view extension;
     Arrays (*parse)(std::string_view);
-    std::string (*print)(const Arrays &);
+    std::string (*print)(const Arrays &); // null: it is only read
     Keeps keeps;
 };
 
-constexpr std::array<Format, 6> formats{{{".off", parse_off, print_off, {false, false, false}},
-                                         {".obj", parse_obj, print_obj, {false, false, false}},
-                                         {".ply", parse_ply, print_ply, {false, false, false}},
-                                         {".msh", parse_msh, print_msh, {true, true, true}},
-                                         {".su2", parse_su2, print_su2, {true, false, true}},
-                                         {".vtk", parse_vtk, print_vtk, {true, true, false}}}};
+constexpr std::array<Format, 9> formats{{{".off", parse_off, print_off, {false, false, false, false}},
+                                         {".obj", parse_obj, print_obj, {false, false, false, false}},
+                                         {".ply", parse_ply, print_ply, {false, false, false, false}},
+                                         {".msh", parse_msh, print_msh, {true, true, true, false}},
+                                         {".msh4", parse_msh, print_msh4, {true, true, true, false, false}},
+                                         {".su2", parse_su2, print_su2, {true, false, true, false}},
+                                         {".vtk", parse_vtk, print_vtk, {true, true, true, true}},
+                                         {".vtu", parse_vtu, print_vtu, {true, true, true, true}},
+                                         {".inp", parse_inp, nullptr, {true, true, true, false}}}};
 
 std::string_view extension(std::string_view path) {
     const std::size_t dot = path.find_last_of("./\\");
     return dot == std::string_view::npos || path[dot] != '.' ? std::string_view() : path.substr(dot);
 }
 
-const Format &find(std::string_view path, const char *known) {
+const Format &find(std::string_view path, bool to_write, const char *known) {
     for (const Format &format : formats)
-        if (same_word(extension(path), format.extension))
+        if (same_word(extension(path), format.extension) && !(to_write && format.print == nullptr))
             return format;
     throw Failure(Fault::unsupported, "the extension " + quoted(extension(path)) + " is not one of " + known +
                                           "; convert the mesh to one of these formats");
@@ -84,17 +89,32 @@ std::vector<std::string> left_out(const Format &format, const Arrays &mesh) {
             " markers of faces");
         say(mesh.marked_points.size(), " markers of vertices");
     }
+    if (!format.keeps.signs) {
+        const auto negative = [](const auto &marked) { return marked.marker < 0; };
+        say(std::ranges::count_if(mesh.face_marker, [](std::int32_t marker) { return marker < 0; }) +
+                std::ranges::count_if(mesh.marked_edges, negative) +
+                std::ranges::count_if(mesh.marked_points, negative),
+            " signs of markers, which are orientations in it");
+    }
     const auto kept = [&](const auto &name) {
         return format.keeps.names && (name.first.first == Entity::edge || format.keeps.faces_and_points);
     };
     say(std::ranges::count_if(mesh.names, std::not_fn(kept)), " names of markers");
+    const auto lost = [&](const auto &field) {
+        return !format.keeps.fields || field->entity == Entity::edge;
+    };
+    std::string fields;
+    for (const auto &field : mesh.fields)
+        if (lost(field))
+            fields += (fields.empty() ? ": " : ", ") + io::quoted(field->name);
+    say(std::ranges::count_if(mesh.fields, lost), (" fields" + fields).c_str());
     return remarks;
 }
 
 } // namespace
 
 Arrays read(const std::string &path) {
-    const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk");
+    const Format &format = find(path, false, ".off, .obj, .ply, .msh, .msh4, .su2, .vtk, .vtu, .inp, .amst");
     const std::string bytes = load(path);
     std::string_view text = bytes;
     if (constexpr std::string_view mark = "\xef\xbb\xbf"; text.starts_with(mark)) // of UTF-8
@@ -105,7 +125,7 @@ Arrays read(const std::string &path) {
 }
 
 std::vector<std::string> write(const std::string &path, const Arrays &mesh) {
-    const Format &format = find(path, ".off, .obj, .ply, .msh, .su2, .vtk, .svg");
+    const Format &format = find(path, true, ".off, .obj, .ply, .msh, .msh4, .su2, .vtk, .vtu, .amst, .svg");
     check(mesh);
     std::vector<std::string> remarks = left_out(format, mesh);
     save(path, format.print(mesh));

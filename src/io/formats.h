@@ -23,15 +23,20 @@ Arrays parse_ply(std::string_view bytes);
 Arrays parse_msh(std::string_view bytes);
 Arrays parse_su2(std::string_view bytes);
 Arrays parse_vtk(std::string_view bytes);
+Arrays parse_vtu(std::string_view bytes);
+Arrays parse_inp(std::string_view bytes);
 
 // OFF, OBJ and PLY have no place for markers and drop them; SU2 has those of edges; VTK has all as the
-// scalars "marker" of its cells, marked edges being lines and marked points vertex cells.
+// data "marker" of its cells, marked edges being lines and marked points vertex cells, and fields but those
+// of edges.
 std::string print_off(const Arrays &mesh);
 std::string print_obj(const Arrays &mesh);
-std::string print_ply(const Arrays &mesh); // ASCII
-std::string print_msh(const Arrays &mesh); // MSH 2.2 ASCII
+std::string print_ply(const Arrays &mesh);  // ASCII
+std::string print_msh(const Arrays &mesh);  // MSH 2.2 ASCII
+std::string print_msh4(const Arrays &mesh); // MSH 4.1 ASCII
 std::string print_su2(const Arrays &mesh);
 std::string print_vtk(const Arrays &mesh); // legacy 3.0 ASCII
+std::string print_vtu(const Arrays &mesh); // appended raw
 
 // Lines "x y z" and "<start>a b c d", as most formats have them.
 void append_points(std::string &text, const Arrays &mesh, const char *start);

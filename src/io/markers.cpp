@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 #include <set>
 #include <span>
@@ -134,6 +135,23 @@ void settle_points(Arrays &mesh, const Number &number) {
     missing.say_left_out(" points with a marker have no face and are left out; nodes (markers)", mesh);
 }
 
+// Of faces that are left.
+void keep_values(Arrays &mesh, const std::vector<bool> &gone) {
+    const mesh::Fields all = mesh.fields;
+    for (const auto &old : all) {
+        if (old->entity != Entity::face)
+            continue;
+        auto field = std::make_shared<mesh::Field>(*old);
+        auto to = field->values.begin();
+        for (std::size_t f = 0; f < gone.size(); ++f)
+            if (!gone[f])
+                to = std::copy_n(old->values.begin() + static_cast<std::ptrdiff_t>(f * at(old->components)),
+                                 old->components, to);
+        field->values.erase(to, field->values.end());
+        mesh.fields.set(std::move(field));
+    }
+}
+
 // A face comes once for each of its markers: the first place of each, and there the smallest marker.
 void settle_faces(Arrays &mesh, const Number &number) {
     std::vector<std::int32_t> &marker = mesh.face_marker;
@@ -174,6 +192,8 @@ void settle_faces(Arrays &mesh, const Number &number) {
     }
     mesh.faces.resize(4 * n);
     marker.resize(n);
+    if (n < gone.size())
+        keep_values(mesh, gone);
     several.say(" faces have several markers, of which the smallest counts; nodes (markers)", mesh);
 }
 

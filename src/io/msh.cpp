@@ -1,8 +1,7 @@
-// Gmsh's MSH (Geuzaine and Remacle 2009): reads 1, 2.x, 4.0 and 4.1, ASCII; writes 2.2,
-// which every program that reads MSH still reads. Lines become marked edges, points
-// marked points. A marker is the physical tag; lines have the tags of their curves if
-// none has another one, so that outlines of a model without physical groups
-// keep their numbers.
+// Reads Gmsh's MSH (Geuzaine and Remacle 2009): 1, 2.x, 4.0 and 4.1 in ASCII, 2.x and 4.1 in
+// binary. Lines become marked edges, points marked points. A marker is the physical tag; lines have the tags
+// of their curves if none has another one, so that outlines of a model without physical groups keep their
+// numbers.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -11,8 +10,10 @@
 #include "io/formats.h"
 #include "io/markers.h"
 #include "io/msh_groups.h"
+#include "io/msh_numbers.h"
 #include "io/number.h"
 #include "io/scanner.h"
+#include "io/tags.h"
 
 namespace alphamst::io {
 namespace {
@@ -20,7 +21,13 @@ namespace {
 // Element types of Gmsh's reference manual.
 constexpr std::int64_t line_type = 1, triangle_type = 2, quad_type = 3, point_type = 15;
 
+// Of any order.
 bool is_line(std::int64_t type) { return type == line_type || type == 8 || (type >= 26 && type <= 28); }
+
+// Behind the ends of a line.
+std::int64_t inner_nodes_of_line(std::int64_t type) {
+    return type == line_type ? 0 : type == 8 ? 1 : type - 24;
+}
 
 // 0: of no interest.
 std::int64_t nodes_of(std::int64_t type) {
@@ -38,40 +45,6 @@ std::int64_t nodes_of(std::int64_t type) {
     }
 }
 
-// Node tags to vertices: tags may be sparse and in any order.
-class Numbering {
-public:
-    void add(std::int64_t tag) {
-        const auto vertex = static_cast<std::int32_t>(tags_.size());
-        ascending_ = ascending_ && (tags_.empty() || tags_.back().first < tag);
-        tags_.emplace_back(tag, vertex);
-    }
-    // Returns false if a tag comes twice.
-    bool close() {
-        if (!ascending_)
-            std::sort(tags_.begin(), tags_.end());
-        return std::adjacent_find(tags_.begin(), tags_.end(), [](const auto &a, const auto &b) {
-                   return a.first == b.first;
-               }) == tags_.end();
-    }
-    std::int32_t find(std::int64_t tag) const {
-        // Tags 1, 2, 3, ... are the rule.
-        const auto size = static_cast<std::int64_t>(tags_.size());
-        if (tag >= 1 && tag <= size && tags_[static_cast<std::size_t>(tag - 1)].first == tag)
-            return tags_[static_cast<std::size_t>(tag - 1)].second;
-        const auto at = std::lower_bound(tags_.begin(), tags_.end(), std::pair{tag, std::int32_t{-1}});
-        return at != tags_.end() && at->first == tag ? at->second : -1;
-    }
-
-    std::int64_t tag_of(std::int32_t vertex) const {
-        return std::ranges::find(tags_, vertex, &std::pair<std::int64_t, std::int32_t>::second)->first;
-    }
-
-private:
-    std::vector<std::pair<std::int64_t, std::int32_t>> tags_;
-    bool ascending_ = true;
-};
-
 class Reader {
 public:
     explicit Reader(std::string_view bytes) : scan_(bytes) {}
@@ -81,11 +54,11 @@ public:
         while (!scan_.at_end()) {
             const std::string_view section = scan_.word();
             if (section == "$PhysicalNames")
-                read_groups(section, &PhysicalGroups::read_names);
+                read_groups(section, &PhysicalGroups::read_names, scan_);
             else if (section == "$Entities" && major_ == 4)
-                read_groups(section, &PhysicalGroups::read_entities);
+                read_groups(section, &PhysicalGroups::read_entities, numbers_);
             else if (section == "$PartitionedEntities" && major_ == 4)
-                read_groups(section, &PhysicalGroups::read_partitions);
+                read_groups(section, &PhysicalGroups::read_partitions, numbers_);
             else if (section == names().nodes)
                 major_ == 4 ? read_nodes_4() : read_nodes_2();
             else if (section == names().elements)
@@ -140,10 +113,22 @@ private:
             scan_.fail(Fault::unsupported,
                        "MSH " + quoted(version) +
                            " is not read, only 1, 2.x, 4.0 and 4.1: save it as one of these");
-        if (scan_.integer() != 0)
-            scan_.fail(Fault::unsupported, "binary MSH is not read; save it as ASCII");
-        scan_.line();
+        read_encoding(version);
         expect_word("$EndMeshFormat");
+    }
+
+    void read_encoding(std::string_view version) {
+        const std::int64_t binary = scan_.integer();
+        if (binary != 0 && binary != 1)
+            scan_.malformed("the file is said to be neither ASCII, 0, nor binary, 1");
+        if (binary == 1 && old_)
+            scan_.fail(Fault::unsupported,
+                       "MSH " + quoted(version) + " is not read in binary; save it as ASCII, or as 4.1");
+        if (binary == 1 && scan_.integer() != 8)
+            scan_.fail(Fault::unsupported, "numbers are not 8 bytes wide in the file; save it as ASCII");
+        scan_.line();
+        if (binary == 1)
+            numbers_.begin_binary();
     }
 
     void skip(std::string_view section) {
@@ -157,12 +142,16 @@ private:
         scan_.malformed("the section " + quoted(section) + " has no end");
     }
 
-    void read_groups(std::string_view section, void (PhysicalGroups::*read)(Scanner &)) {
-        (groups_.*read)(scan_);
+    template <class From>
+    void read_groups(std::string_view section, void (PhysicalGroups::*read)(From &), From &from) {
+        (groups_.*read)(from);
         expect_word("$End" + std::string(section.substr(1)));
     }
 
-    void add_node(double x, double y, double z) { add_vertex(scan_, mesh_, x, y, z); }
+    void read_node() {
+        const double x = numbers_.real(), y = numbers_.real(), z = numbers_.real();
+        add_vertex(scan_, mesh_, x, y, z);
+    }
 
     void begin_nodes() {
         if (nodes_)
@@ -178,49 +167,68 @@ private:
 
     void read_nodes_2() {
         begin_nodes();
-        const std::int64_t n = scan_.count("nodes", 8);
+        const std::int64_t n = scan_.integer();
+        numbers_.begin();
+        numbers_.expect(n, "nodes", 8, 28);
         mesh_.points.reserve(static_cast<std::size_t>(n) * 3);
         for (std::int64_t i = 0; i < n; ++i) {
-            numbering_.add(scan_.integer());
-            const double x = scan_.real(), y = scan_.real(), z = scan_.real();
-            add_node(x, y, z);
+            numbering_.add(numbers_.integer());
+            read_node();
         }
         end_nodes();
     }
 
+    // Behind the numbers of blocks and of nodes or elements: the least tag and the largest.
+    void skip_range() {
+        for (int k = 0; numbers_.binary() && k < 2; ++k)
+            numbers_.long_integer();
+        numbers_.end_line();
+    }
+
     void read_nodes_4() {
         begin_nodes();
-        const std::int64_t n_blocks = scan_.count("blocks of nodes", 8), n = scan_.count("nodes", 8);
+        numbers_.begin();
+        const std::int64_t n_blocks = numbers_.count("blocks of nodes", 8, 20),
+                           n = numbers_.count("nodes", 8, 32);
         mesh_.points.reserve(static_cast<std::size_t>(n) * 3);
-        scan_.line();
+        skip_range();
         std::int64_t n_read = 0;
-        for (std::int64_t block = 0; block < n_blocks; ++block) {
-            for (int skipped = 0; skipped < 3; ++skipped) // dimension, entity, parametric
-                scan_.integer();
-            const std::int64_t size = scan_.count("nodes", 8);
-            for (std::int64_t i = 0; i < size && !old_; ++i)
-                numbering_.add(scan_.integer());
-            for (std::int64_t i = 0; i < size; ++i) {
-                if (old_) // each in front of its coordinates
-                    numbering_.add(scan_.integer());
-                const double x = scan_.real(), y = scan_.real(), z = scan_.real();
-                add_node(x, y, z);
-                scan_.line(); // parameters on the curve or surface may follow
-            }
-            n_read += size;
-        }
+        for (std::int64_t block = 0; block < n_blocks; ++block)
+            n_read += read_block_of_nodes();
         if (n_read != n)
             scan_.malformed(std::to_string(n) + " nodes are promised, but the blocks have " +
                             std::to_string(n_read));
         end_nodes();
     }
 
+    std::int64_t read_block_of_nodes() {
+        const std::int64_t dim = numbers_.integer();
+        numbers_.integer(); // the entity
+        const bool parametric = numbers_.integer() != 0;
+        const std::int64_t size = numbers_.count("nodes", 8, 32);
+        for (std::int64_t i = 0; i < size && !old_; ++i)
+            numbering_.add(numbers_.long_integer());
+        for (std::int64_t i = 0; i < size; ++i) {
+            if (old_) // each in front of its coordinates
+                numbering_.add(scan_.integer());
+            read_node();
+            // Parameters on the curve or surface may follow.
+            for (std::int64_t k = 0; numbers_.binary() && parametric && k < dim; ++k)
+                numbers_.real();
+            numbers_.end_line();
+        }
+        return size;
+    }
+
+    // The number of a node or an element.
+    std::int64_t tag() { return major_ == 4 ? numbers_.long_integer() : numbers_.integer(); }
+
     std::int32_t node(const char *of) {
-        const std::int64_t tag = scan_.integer();
-        const std::int32_t vertex = numbering_.find(tag);
+        const std::int64_t number = tag();
+        const std::int32_t vertex = numbering_.find(number);
         if (vertex >= 0)
             return vertex;
-        const std::string text = " has node " + std::to_string(tag) + ", which is not in the file";
+        const std::string text = " has node " + std::to_string(number) + ", which is not in the file";
         if (of != nullptr)
             scan_.fail(Fault::range, of + text);
         scan_.fail(Fault::range, "face {}" + text, Entity::face, {n_faces()});
@@ -254,10 +262,15 @@ private:
                 Entity::face, {n_faces()});
         } else {
             if (groups.empty()) // any tag will do
-                scan_.integer();
+                tag();
             else if (const std::int32_t vertex = node("a point"); vertex >= 0)
                 for (const std::int32_t group : groups)
                     mesh_.marked_points.push_back({vertex, group});
+        }
+        if (numbers_.binary()) {
+            for (std::int64_t k = is_line(type) ? inner_nodes_of_line(type) : 0; k > 0; --k)
+                tag();
+            return;
         }
         if ((type == line_type || type == triangle_type || type == quad_type) && !scan_.at_line_end())
             scan_.malformed("an element has too many nodes: " + quoted(scan_.word()));
@@ -291,33 +304,54 @@ private:
     }
 
     void read_elements_2() {
-        const std::int64_t n = scan_.count("elements", 8);
-        for (std::int64_t i = 0; i < n; ++i) {
-            scan_.integer();
-            const std::int64_t type = scan_.integer(), n_tags = scan_.count("tags", 2);
-            std::array<std::int64_t, 2> tags{}; // physical, elementary; partitions follow
-            for (std::int64_t k = 0; k < n_tags; ++k)
-                if (const std::int64_t tag = scan_.integer(); k < 2)
-                    tags[static_cast<std::size_t>(k)] = tag;
-            const std::int32_t group = small_tag(scan_, tags[0]);
-            read_element(type, groups_of(group), tags[1]);
+        const std::int64_t n = scan_.integer();
+        numbers_.begin();
+        numbers_.expect(n, "elements", 8, 8);
+        for (std::int64_t i = 0; i < n;) {
+            if (!numbers_.binary()) {
+                scan_.integer();
+                const std::int64_t type = scan_.integer();
+                read_element_2(type, scan_.count("tags", 2));
+                ++i;
+                continue;
+            }
+            const std::int64_t type = numbers_.integer(), size = numbers_.integer(),
+                               n_tags = numbers_.integer();
+            if (size < 1 || size > n - i)
+                scan_.malformed("a block of " + std::to_string(size) + " elements does not fit");
+            numbers_.expect(n_tags, "tags", 2, 4);
+            for (const std::int64_t end = i + size; i < end; ++i) {
+                numbers_.integer();
+                read_element_2(type, n_tags);
+            }
         }
     }
 
+    void read_element_2(std::int64_t type, std::int64_t n_tags) {
+        std::array<std::int64_t, 2> tags{}; // physical, elementary; partitions follow
+        for (std::int64_t k = 0; k < n_tags; ++k)
+            if (const std::int64_t number = numbers_.integer(); k < 2)
+                tags[static_cast<std::size_t>(k)] = number;
+        const std::int32_t group = small_tag(scan_, tags[0]);
+        read_element(type, groups_of(group), tags[1]);
+    }
+
     void read_elements_4() {
-        const std::int64_t n_blocks = scan_.count("blocks of elements", 8), n = scan_.count("elements", 4);
-        scan_.line();
+        numbers_.begin();
+        const std::int64_t n_blocks = numbers_.count("blocks of elements", 8, 20),
+                           n = numbers_.count("elements", 4, 16);
+        skip_range();
         std::int64_t n_read = 0;
         for (std::int64_t block = 0; block < n_blocks; ++block) {
-            std::int64_t dim = scan_.integer(), entity = scan_.integer();
+            std::int64_t dim = numbers_.integer(), entity = numbers_.integer();
             if (old_)
                 std::swap(dim, entity);
-            const std::int64_t type = scan_.integer();
-            const std::int64_t size = scan_.count("elements", 4);
+            const std::int64_t type = numbers_.integer();
+            const std::int64_t size = numbers_.count("elements", 4, 16);
             const std::vector<std::int32_t> groups = groups_.of(dim, entity);
             const std::int64_t curve = groups_.whole_curve(entity);
             for (std::int64_t i = 0; i < size; ++i) {
-                scan_.integer();
+                tag();
                 read_element(type, groups, curve);
             }
             n_read += size;
@@ -333,66 +367,18 @@ private:
     }
 
     Scanner scan_;
+    MshNumbers numbers_{scan_};
     int major_ = 2;    // version
     bool old_ = false; // 4.0
     bool nodes_ = false, elements_ = false;
-    Numbering numbering_;
+    Tags numbering_;
     PhysicalGroups groups_;
     std::vector<Arrays::MarkedEdge> curves_; // lines in no group, with the tags of their curves
     Arrays mesh_;
 };
 
-void append_element(std::string &text, std::int64_t number, std::int64_t type, std::int32_t marker,
-                    const std::int32_t *vertices, std::size_t n) {
-    // The elementary tag must not be 0; the marker itself keeps regions apart.
-    const std::array<std::int64_t, 5> head{number, type, 2, marker, marker == 0 ? 1 : marker};
-    for (std::int64_t i : head) {
-        append_number(text, i);
-        text += ' ';
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-        append_number(text, std::int64_t{vertices[k]} + 1);
-        text += k + 1 < n ? ' ' : '\n';
-    }
-}
-
-void append_names(std::string &text, const Names &names) {
-    if (names.empty())
-        return;
-    text += "$PhysicalNames\n" + std::to_string(names.size()) + "\n";
-    for (const auto &[of, name] : names)
-        text += std::to_string(static_cast<int>(of.first)) + " " + std::to_string(of.second) + " \"" + name +
-                "\"\n";
-    text += "$EndPhysicalNames\n";
-}
-
 } // namespace
 
 Arrays parse_msh(std::string_view bytes) { return Reader(bytes).read(); }
-
-std::string print_msh(const Arrays &mesh) {
-    std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
-    append_names(text, mesh.names);
-    text += "$Nodes\n" + std::to_string(mesh.points.size() / 3) + "\n";
-    for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
-        append_number(text, static_cast<std::int64_t>(i / 3 + 1));
-        for (std::size_t k = 0; k < 3; ++k) {
-            text += ' ';
-            append_number(text, mesh.points[i + k]);
-        }
-        text += '\n';
-    }
-    std::string elements;
-    std::int64_t n = 0;
-    for (const auto &[vertex, marker] : mesh.marked_points)
-        append_element(elements, ++n, point_type, marker, &vertex, 1);
-    for (const Arrays::MarkedEdge &edge : mesh.marked_edges)
-        if (edge.marker != 0)
-            append_element(elements, ++n, line_type, edge.marker, edge.vertices.data(), 2);
-    for (std::size_t f = 0; f < mesh.faces.size() / 4; ++f)
-        append_element(elements, ++n, quad_type, mesh.face_marker.empty() ? 0 : mesh.face_marker[f],
-                       &mesh.faces[4 * f], 4);
-    return text + "$EndNodes\n$Elements\n" + std::to_string(n) + "\n" + elements + "$EndElements\n";
-}
 
 } // namespace alphamst::io

@@ -41,50 +41,56 @@ void PhysicalGroups::read_names(Scanner &scan) {
     }
 }
 
-// Behind the coordinates, or those of the box; the rest of the line is passed over.
-std::vector<std::int32_t> PhysicalGroups::read_groups(Scanner &scan, int dim) {
+// Behind the coordinates, or those of the box. Then, except of points, what bounds the entity.
+std::vector<std::int32_t> PhysicalGroups::read_groups(MshNumbers &from, int dim) {
     for (int k = dim == 0 && !points_have_boxes ? 3 : 6; k > 0; --k)
-        scan.real();
+        from.real();
     std::vector<std::int32_t> groups;
-    const std::int64_t n = scan.count("physical tags", 2);
+    const std::int64_t n = from.count("physical tags", 2, 4);
     for (std::int64_t i = 0; i < n; ++i) {
         // The sign of a physical tag is an orientation.
         constexpr std::int64_t least = -std::numeric_limits<std::int32_t>::max();
-        if (const std::int32_t tag = std::abs(small_tag(scan, std::max(scan.integer(), least))); tag != 0)
+        if (const std::int32_t tag = std::abs(small_tag(from.scan(), std::max(from.integer(), least)));
+            tag != 0)
             groups.push_back(tag);
     }
-    scan.line();
+    if (from.binary() && dim > 0)
+        for (std::int64_t left = from.count("bounds", 2, 4); left > 0; --left)
+            from.integer();
+    from.end_line();
     return groups;
 }
 
-void PhysicalGroups::read_entities(Scanner &scan) {
+void PhysicalGroups::read_entities(MshNumbers &from) {
+    from.begin();
     std::array<std::int64_t, 4> n{};
     for (std::int64_t &count : n)
-        count = scan.count("entities", 8);
+        count = from.count("entities", 8, 36);
     for (int dim = 0; dim < 4; ++dim)
         for (std::int64_t i = 0; i < n[static_cast<std::size_t>(dim)]; ++i) {
-            const std::int64_t tag = scan.integer();
-            groups_[{dim, tag}] = read_groups(scan, dim);
+            const std::int64_t tag = from.integer();
+            groups_[{dim, tag}] = read_groups(from, dim);
         }
 }
 
-void PhysicalGroups::read_partitions(Scanner &scan) {
+void PhysicalGroups::read_partitions(MshNumbers &from) {
     partitioned_ = true;
-    scan.integer(); // the number of parts
-    const std::int64_t n_ghosts = scan.count("ghost entities", 4);
+    from.begin();
+    from.long_integer(); // the number of parts
+    const std::int64_t n_ghosts = from.count("ghost entities", 4, 8);
     for (std::int64_t i = 0; i < 2 * n_ghosts; ++i)
-        scan.integer();
+        from.integer();
     std::array<std::int64_t, 4> n{};
     for (std::int64_t &count : n)
-        count = scan.count("entities of parts", 8);
+        count = from.count("entities of parts", 8, 52);
     for (int dim = 0; dim < 4; ++dim)
         for (std::int64_t i = 0; i < n[static_cast<std::size_t>(dim)]; ++i) {
-            const Key part{dim, scan.integer()};
-            const std::int64_t parent_dim = scan.integer(), parent = scan.integer();
-            const std::int64_t n_parts = scan.count("parts", 2);
+            const Key part{dim, from.integer()};
+            const std::int64_t parent_dim = from.integer(), parent = from.integer();
+            const std::int64_t n_parts = from.count("parts", 2, 4);
             for (std::int64_t k = 0; k < n_parts; ++k)
-                scan.integer();
-            const std::vector<std::int32_t> own = read_groups(scan, dim);
+                from.integer();
+            const std::vector<std::int32_t> own = read_groups(from, dim);
             parents_[part] = {parent_dim, parent};
             if (parent_dim == dim && !groups_.contains({parent_dim, parent}))
                 groups_[{parent_dim, parent}] = own; // the file has parts alone

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/msh_numbers.h"
 #include "io/scanner.h"
 #include "names.h"
 
@@ -15,8 +16,8 @@ namespace alphamst::io {
 class PhysicalGroups {
 public:
     void read_names(Scanner &scan);
-    void read_entities(Scanner &scan);   // of MSH 4
-    void read_partitions(Scanner &scan); // of MSH 4: parts of those entities, and borders between them
+    void read_entities(MshNumbers &from);   // of MSH 4
+    void read_partitions(MshNumbers &from); // of MSH 4: parts of those entities, and borders between them
 
     bool points_have_boxes = false; // in version 4.0, as other entities have; later they have coordinates
 
@@ -30,7 +31,7 @@ public:
 private:
     using Key = std::pair<std::int64_t, std::int64_t>; // dimension and tag
 
-    std::vector<std::int32_t> read_groups(Scanner &scan, int dim);
+    std::vector<std::int32_t> read_groups(MshNumbers &from, int dim);
 
     std::map<Key, std::vector<std::int32_t>> groups_;
     std::map<Key, Key> parents_;

@@ -48,39 +48,43 @@ void Values::begin() {
         scan_.line();
 }
 
-double Values::real(Type type) {
-    if (!binary)
-        return scan_.real();
+double real_of(const char *bytes, Type type, bool big_endian) {
     if (type.kind != Kind::real)
-        return static_cast<double>(integer(type));
-    const char *bytes = scan_.take(type.size).data();
-    return type.size == 4 ? static_cast<double>(decode<float>(bytes, true)) : decode<double>(bytes, true);
+        return static_cast<double>(integer_of(bytes, type, big_endian));
+    return type.size == 4 ? static_cast<double>(decode<float>(bytes, big_endian))
+                          : decode<double>(bytes, big_endian);
 }
 
-std::int64_t Values::integer(Type type) {
-    if (!binary)
-        return scan_.integer();
-    const char *bytes = scan_.take(type.size).data();
+std::int64_t integer_of(const char *bytes, Type type, bool big_endian) {
     const bool natural = type.kind == Kind::natural;
     switch (type.size) {
     case 1:
         return natural ? std::int64_t{decode<std::uint8_t>(bytes, true)} : decode<std::int8_t>(bytes, true);
     case 2:
-        return natural ? std::int64_t{decode<std::uint16_t>(bytes, true)} : decode<std::int16_t>(bytes, true);
+        return natural ? std::int64_t{decode<std::uint16_t>(bytes, big_endian)}
+                       : decode<std::int16_t>(bytes, big_endian);
     case 4:
-        return natural ? std::int64_t{decode<std::uint32_t>(bytes, true)} : decode<std::int32_t>(bytes, true);
+        return natural ? std::int64_t{decode<std::uint32_t>(bytes, big_endian)}
+                       : decode<std::int32_t>(bytes, big_endian);
     default:
-        return decode<std::int64_t>(bytes, true);
+        return decode<std::int64_t>(bytes, big_endian);
     }
 }
 
-void Values::skip(std::int64_t n, Type type) {
-    if (binary) {
-        scan_.take(static_cast<std::size_t>(n) * type.size);
-    } else {
-        for (std::int64_t i = 0; i < n; ++i)
-            scan_.word();
-    }
+double Values::real(Type type) {
+    return binary ? real_of(scan_.take(type.size).data(), type, true) : scan_.real();
+}
+
+std::int64_t Values::integer(Type type) {
+    return binary ? integer_of(scan_.take(type.size).data(), type, true) : scan_.integer();
+}
+
+std::vector<double> Values::reals(std::int64_t n, Type type) {
+    scan_.expect(n, "values", least(type));
+    std::vector<double> numbers(static_cast<std::size_t>(n));
+    for (double &x : numbers)
+        x = real(type);
+    return numbers;
 }
 
 std::vector<std::int64_t> Values::integers(std::int64_t n, Type type) {

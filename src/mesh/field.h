@@ -22,6 +22,10 @@ struct Field {
     std::vector<double> values; // [entities][components]
 };
 
+// Throws Failure: argument (a carry rule that is not for this kind of entity, a field that the library reads
+// on the wrong kind), range (components, a "size" that no edge has), not_finite.
+void require_sound(const Field &field);
+
 // At most one field of a name on each kind of entity. Copies share the fields, none of which ever
 // changes: a new one takes its place.
 class Fields {

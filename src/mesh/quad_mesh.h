@@ -50,6 +50,16 @@ public:
     // the first corner.
     static QuadMesh build(int dim, std::span<const double> points, std::span<const std::int32_t> faces);
 
+    // The connectivity to the last id, so that whatever is done to a mesh and to one restored from it has
+    // equal results. Half-edges 2 * e and 2 * e + 1 are of edge e.
+    struct Connectivity {
+        std::vector<std::int32_t> faces, sides; // [n][4] corners, and the half-edge that starts at each
+        std::vector<std::int32_t> first; // [vertex] the half-edge where walks around it begin, -1: none
+    };
+    Connectivity connectivity() const;
+    // As build, and Failure (argument) if faces, half-edges and edges do not fit together.
+    static QuadMesh restore(int dim, std::span<const double> points, const Connectivity &connectivity);
+
     int dim() const { return dim_; }
     int n_vertices() const { return static_cast<int>(kernel_.n_vertices()); }
     int n_edges() const { return static_cast<int>(kernel_.n_edges()); }
@@ -185,6 +195,8 @@ private:
         std::size_t vertices = 0, edges = 0, faces = 0;
     };
 
+    static QuadMesh assemble(int dim, std::span<const double> points, std::span<const std::int32_t> faces,
+                             std::span<const std::int32_t> sides, std::size_t n_edges);
     void write_quads(std::span<const std::array<int, 4>> quads, int n_loop, const std::vector<int> &ids,
                      const std::vector<int> &vertices, const std::vector<int> &sides, std::int32_t marker);
     void reserve(std::size_t vertices, std::size_t edges, std::size_t faces);

@@ -23,6 +23,9 @@ public:
     ~BoundaryCurves();
 
     int count() const { return static_cast<int>(curves_.size()); }
+    const std::vector<Eigen::Vector3d> &points(int curve) const {
+        return curves_[static_cast<std::size_t>(curve)].points;
+    }
     double length(int curve) const;
     double extent() const { return extent_; } // the longest of them
     Eigen::Vector3d at(CurvePlace place) const;

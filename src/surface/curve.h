@@ -34,6 +34,7 @@ public:
     // The first line with all the points within the tolerance, -1 if there is none.
     int find(std::span<const Eigen::Vector3d> points) const;
     const std::vector<Line> &lines() const { return lines_; }
+    double tolerance() const { return tolerance_; } // with the lines as given ones it makes equal curves
 
     // The numbers of the lines that lead from one point to another: one that holds both, or those of a way.
     std::vector<int> lines_between(const Eigen::Vector3d &from, const Eigen::Vector3d &to) const;

@@ -1,5 +1,5 @@
 # Programs that libFuzzer drives, preset "fuzz": scripts/fuzz runs them. read_<format> for each format, and calls.
-foreach(format off obj ply msh su2 vtk)
+foreach(format off obj ply msh su2 vtk vtu inp amst)
     add_executable(fuzz_read_${format} "${CMAKE_CURRENT_LIST_DIR}/read_fuzz.cpp")
     target_compile_definitions(fuzz_read_${format} PRIVATE FORMAT="${format}")
     list(APPEND fuzzers fuzz_read_${format})

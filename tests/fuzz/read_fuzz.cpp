@@ -11,9 +11,9 @@ using namespace alphamst::fuzz;
 namespace {
 
 // A file in memory, where there is one.
-std::string scratch(const char *name) {
+std::string scratch(const char *name, const std::string &extension) {
     const char *folder = access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp";
-    return std::string(folder) + "/alphamst_fuzz_" + std::to_string(getpid()) + "_" + name + "." FORMAT;
+    return std::string(folder) + "/alphamst_fuzz_" + std::to_string(getpid()) + "_" + name + "." + extension;
 }
 
 void write_bytes(const std::string &path, const std::uint8_t *data, std::size_t size) {
@@ -25,7 +25,10 @@ void write_bytes(const std::string &path, const std::uint8_t *data, std::size_t 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
-    static const std::string given = scratch("given"), written = scratch("written");
+    static const std::string format = FORMAT;
+    static const std::string given = scratch("given", format),
+                             written =
+                                 scratch("written", format == "inp" ? "msh" : format); // .inp is only read
     static amst_context *const context = [] {
         amst_context *made = nullptr;
         require(amst_context_create(0, &made) == AMST_OK, "there are contexts");

@@ -46,12 +46,13 @@ TEST(MshGroups, PartsAreInTheGroupsOfTheWhole) {
     Scanner scan(text);
     PhysicalGroups groups;
     scan.word();
-    groups.read_entities(scan);
+    MshNumbers numbers(scan);
+    groups.read_entities(numbers);
     EXPECT_EQ(scan.word(), "$EndEntities");
     EXPECT_EQ(groups.of(1, 1), (std::vector<std::int32_t>{30, 20}));
     EXPECT_EQ(groups.of(1, 2), std::vector<std::int32_t>{4});
     scan.word();
-    groups.read_partitions(scan);
+    groups.read_partitions(numbers);
     EXPECT_EQ(scan.word(), "$EndPartitionedEntities");
     EXPECT_EQ(groups.of(0, 4), std::vector<std::int32_t>{5});
     EXPECT_EQ(groups.of(1, 5), (std::vector<std::int32_t>{30, 20}));

@@ -76,17 +76,19 @@ TEST(VtkValues, ValuesBeginBehindTheLineThatAnnouncesThem) {
     EXPECT_EQ(words.integers(2, words.read_type()), (std::vector<std::int64_t>{10, 256}));
 }
 
-TEST(VtkValues, SkipPassesOverWhatTheTypeTakes) {
+TEST(VtkValues, RealsOfAnyType) {
     const std::string text = bytes({1, 2, 3, 4, 5});
     Scanner binary(text);
     Values values(binary);
     values.binary = true;
-    values.skip(2, {Kind::natural, 2});
+    EXPECT_EQ(values.reals(2, {Kind::natural, 2}), (std::vector<double>{258, 772}));
     EXPECT_EQ(values.integer({Kind::natural, 1}), 5);
-    Scanner plain("a b c 4");
+    Scanner plain("1 2.5 -3 4");
     Values words(plain);
-    words.skip(3, {Kind::whole, 4});
+    EXPECT_EQ(words.reals(3, {Kind::real, 4}), (std::vector<double>{1, 2.5, -3}));
     EXPECT_EQ(words.integer({Kind::whole, 4}), 4);
+    EXPECT_EQ(integer_of("\x02\x01", {Kind::whole, 2}, false), 258);
+    EXPECT_EQ(real_of("\xff", {Kind::whole, 1}, false), -1);
 }
 
 TEST(VtkValues, NoMoreThanTheFileMayHold) {

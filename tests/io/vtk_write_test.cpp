@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "io/fields.h"
 #include "io/formats.h"
 #include "samples.h"
 
@@ -41,6 +42,16 @@ TEST(VtkWrite, MarkersRoundTrip) {
     EXPECT_EQ(parse_vtk(print_vtk(mesh)).face_marker, mesh.face_marker);
     mesh.face_marker.clear();
     EXPECT_EQ(print_vtk(mesh), plain);
+}
+
+// VTK's own reader of text takes nan for a keyword.
+TEST(VtkWrite, FieldsOfFacesAreFiniteOnLines) {
+    Arrays mesh = samples::grid(1, 2);
+    mesh.marked_edges = {{{0, 1}, 3}};
+    add_new_field(mesh, Entity::face, "a load", 2, false, {0.5, 2});
+    const std::string text = print_vtk(mesh);
+    EXPECT_NE(text.find("FIELD FieldData 1\na%20load 2 2 double\n0.5 2\n0 0\n"), std::string::npos) << text;
+    EXPECT_EQ(parse_vtk(text).fields.find(Entity::face, "a load")->values, (std::vector<double>{0.5, 2}));
 }
 
 } // namespace

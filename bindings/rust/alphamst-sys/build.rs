@@ -3,7 +3,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 
 // What the static library needs of others, as in alphamst.pc.
-const PRIVATE_LIBRARIES: [&str; 4] = ["OpenMeshCore", "tbb", "stdc++", "m"];
+const PRIVATE_LIBRARIES: [&str; 6] = ["OpenMeshCore", "tbb", "expat", "z", "stdc++", "m"];
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");

@@ -224,7 +224,7 @@ fn clones_are_meshes_of_their_own() {
 fn files_come_back() {
     let context = Context::new();
     let mesh = grid::mesh(&context, 4, 3);
-    for name in ["mesh.off", "mesh.obj", "mesh.ply", "mesh.msh", "mesh.vtk"] {
+    for name in ["mesh.off", "mesh.obj", "mesh.ply", "mesh.msh", "mesh.vtk", "mesh.vtu", "mesh.amst"] {
         let path = grid::path(name);
         mesh.write(&path).unwrap();
         let again = Mesh::read(&context, &path, &Options::new()).unwrap();
