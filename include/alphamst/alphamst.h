@@ -196,6 +196,18 @@ enum amst_decomposition {
     AMST_DECOMPOSE_MAX = 0x7fffffff
 };
 
+/* What amst_mesh_get_geometry tells. */
+enum amst_geometry {
+    AMST_GEOMETRY_INVALID = -1,
+    AMST_GEOMETRY_CENTROIDS = 0, /* [n_faces][dim], of what the face covers */
+    AMST_GEOMETRY_LENGTHS = 1,   /* [n_edges] */
+    AMST_GEOMETRY_NORMALS = 2,   /* [n_edges][dim], of length 1, at right angles to the edge, out of the first
+                                    face of amst_mesh_get_edge_faces: so on the boundary outwards. On curved
+                                    meshes also at right angles to the mean normal of its faces. 0 for an edge
+                                    or faces without extent */
+    AMST_GEOMETRY_MAX = 0x7fffffff
+};
+
 /* Verdict quadrilateral metrics. */
 enum amst_metric {
     AMST_METRIC_INVALID = -1,
@@ -237,6 +249,7 @@ enum amst_option {
     AMST_OPT_CHART = 9,            /* int, 0: maps what is curved; 1 mean value, 2 conformal, 3 low stretch */
     AMST_OPT_KEEP_BOUNDARY = 10,   /* int 0/1, 0: new meshes get no vertex on the boundary, or fail */
     AMST_OPT_STARTS = 11,          /* int, 1: searches of a whole mesh, the best is kept, 1..1000 */
+    AMST_OPT_BUFFER_LAYERS = 12,   /* int, 2: layers of faces around each that get its "size", 0..1000 */
     AMST_OPT_MIN_QUALITY = 1000,   /* real, 0.0: no filling with a scaled Jacobian at or below, 0..1 */
     AMST_OPT_MIN_CONVEXITY = 1001, /* real, 0.6: below is AMST_DEFECT_NOT_CONVEX, 0..1 */
     AMST_OPT_PATCH_FACES = 1002,   /* real, 100: aim of automatic decomposition, >= 1 */
@@ -247,6 +260,10 @@ enum amst_option {
     AMST_OPT_LEAST_SIZE = 1007,    /* real, 0.125: area over wanted area; no smaller face is made, 0..1 */
     AMST_OPT_SHARP_ANGLE = 1008,   /* real, 40.0: degrees; no pair of triangles over a sharper edge, 0..180 */
     AMST_OPT_SIZE_BAND = 1009,     /* real, 0.0: log2 of area; plane faces off "size" by less stay, 0..8 */
+    AMST_OPT_MIN_EDGE = 1010,      /* real, 0.0: least "size" of an indicator, in units of length, 0..1e30 */
+    AMST_OPT_MAX_EDGE = 1011,      /* real, 0.0: largest one, 0..1e30; 0: the extent of the mesh */
+    AMST_OPT_GRADATION = 1012,     /* real, 0.2: growth of "size" over the length it grows in, 0.01..100 */
+    AMST_OPT_ERROR_ORDER = 1013,   /* real, 1.0: power of the edge length that an indicator is like, .1..16 */
     AMST_OPTION_MAX = 0x7fffffff
 };
 
@@ -367,8 +384,9 @@ AMST_TRY amst_status amst_context_get_progress(const amst_context *ctx, double *
 
 /* ------------------------------------------------------------------ options */
 /* Every `const amst_options *` argument may be NULL: all defaults. Which options count in an operation is in
- * the table of amst_adapt. One of that table, but for SEED and SMOOTH_STEPS, that is not at its default and
- * has no effect on the call is told by AMST_RESULT_UNUSED_OPTION and a line of AMST_LOG_WARNING. */
+ * the table of amst_adapt, or said at the function. One of that table, but for SEED and SMOOTH_STEPS, that is
+ * not at its default and has no effect on the call is told by AMST_RESULT_UNUSED_OPTION and a line of
+ * AMST_LOG_WARNING. */
 
 AMST_TRY amst_status amst_options_create(amst_options **out);
 AMST_API void amst_options_destroy(amst_options *options);
@@ -506,9 +524,18 @@ AMST_TRY amst_status amst_mesh_get_faces(const amst_mesh *mesh, amst_id *out, in
 /* [n_edges][2] vertices, smaller id first */
 AMST_TRY amst_status amst_mesh_get_edges(const amst_mesh *mesh, amst_id *out, int64_t capacity,
                                          int64_t *needed);
-/* [n_edges][2] faces, left then right of the edge, "none" beyond the boundary */
+/* [n_edges][2] faces: left then right of the edge; on the boundary the one face there is, then "none". */
 AMST_TRY amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *out, int64_t capacity,
                                               int64_t *needed);
+/* Faces around each vertex, counter-clockwise, on the boundary from one of its edges to the other: those of
+ * all vertices in a row in out, 4 a face in all. offsets has room for n_vertices + 1: where in out, counted
+ * from the index base, the faces of each vertex begin; the last one is behind all. NULL for both asks. */
+AMST_TRY amst_status amst_mesh_get_vertex_faces(const amst_mesh *mesh, int32_t *offsets, amst_id *out,
+                                                int64_t capacity, int64_t *needed);
+/* An amst_geometry of every face or edge: what a code needs that solves on the mesh. Areas are
+ * AMST_METRIC_AREA. Errors: ARGUMENT (key). */
+AMST_TRY amst_status amst_mesh_get_geometry(const amst_mesh *mesh, int32_t key, double *out, int64_t capacity,
+                                            int64_t *needed);
 /* Edge of each of n vertex pairs, "none" where there is no such edge; edges has
  * room for n ids. Errors: RANGE (vertex, n). */
 AMST_TRY amst_status amst_mesh_find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n,
@@ -629,6 +656,24 @@ AMST_TRY amst_status amst_mesh_get_field(const amst_mesh *mesh, int32_t entity, 
                                          int64_t capacity, int64_t *needed);
 /* Errors: ARGUMENT (entity, name empty), NOT_FOUND. */
 AMST_TRY amst_status amst_mesh_remove_field(amst_mesh *mesh, int32_t entity, const char *name);
+
+/* From error to mesh: writes the vertex field "size", of AMST_CARRY_LINEAR, that amst_adapt goes by.
+ * indicator [n_faces] is what a face contributes to the error, at least 0, like h^ERROR_ORDER for edges of
+ * length h; where fronts are sharp the jump across the face will do, with order 1. A face asks for the length
+ * at which its indicator is `tolerance`, the root of its area now times (tolerance / indicator)^(1 / order),
+ * between MIN_EDGE and MAX_EDGE. A vertex asks for the least of its faces and of BUFFER_LAYERS further layers
+ * of faces, so that a front stays in small faces until the next call. No size grows by more than GRADATION
+ * times the way along edges and diagonals. faces: limit of the number of faces of the whole mesh, 0: none.
+ * Where the sizes ask for more, the tolerance is raised until they do not, or MIN_EDGE does not allow it.
+ * tolerance 0: as many as `faces`, with equal error everywhere. No other options count. With
+ * AMST_OPT_SIZE_BAND amst_adapt does not touch a place whose size hardly changes. asked_faces, the number of
+ * faces that the sizes ask for, the sum of area / size^2, may be NULL; it is further from `faces` than 1 in
+ * 1,000 only where MIN_EDGE, MAX_EDGE or GRADATION do not allow it. Takes time in proportion to the faces, on
+ * one thread. The revision stays. Errors: RANGE (n, an indicator, tolerance or faces below 0, both 0),
+ * ARGUMENT (MAX_EDGE below MIN_EDGE), NOT_FINITE, STATE. */
+AMST_TRY amst_status amst_mesh_size_from_indicator(amst_mesh *mesh, const double *indicator, int64_t n,
+                                                   double tolerance, int64_t faces,
+                                                   const amst_options *options, double *asked_faces);
 
 /* What the faces of two meshes of one domain share, for codes that carry their fields themselves, as between
  * amst_mesh_clone of a mesh and that mesh after an operation: rows of a face of `before`, a face of `after`

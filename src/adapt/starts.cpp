@@ -31,6 +31,7 @@ public:
         draw_seeds();
         parallel::run_long(
             n_, settings_.threads, [this](std::size_t k) { search(k); }, [this] { tell("starts"); });
+        tell("starts"); // of those that ended on other threads, too
         log_starts(settings_, outcomes_, best_);
         Outcome outcome = std::move(outcomes_[best_]);
         outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

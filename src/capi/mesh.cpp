@@ -34,6 +34,12 @@ void edge_pairs(const amst_mesh *handle, amst_id *out, std::int64_t capacity, st
             *out++ = capi::out(base, index);
 }
 
+// A solver asks what is beyond an edge: on the boundary nothing, whichever way the edge runs.
+std::array<int, 2> inner_face_first(const mesh::QuadMesh &mesh, int edge) {
+    const auto [left, right] = mesh.edge_faces(edge);
+    return left < 0 ? std::array{right, left} : std::array{left, right};
+}
+
 template <std::size_t n>
 void rows_of_ids(const std::vector<std::array<std::int32_t, n>> &rows, int base, amst_id *out,
                  std::int64_t capacity, std::int64_t *needed) {
@@ -175,9 +181,26 @@ amst_status amst_mesh_get_edges(const amst_mesh *mesh, amst_id *out, std::int64_
 
 amst_status amst_mesh_get_edge_faces(const amst_mesh *mesh, amst_id *out, std::int64_t capacity,
                                      std::int64_t *needed) {
+    return guarded(index_base(mesh), [&] { edge_pairs(mesh, out, capacity, needed, inner_face_first); });
+}
+
+amst_status amst_mesh_get_vertex_faces(const amst_mesh *mesh, std::int32_t *offsets, amst_id *out,
+                                       std::int64_t capacity, std::int64_t *needed) {
     return guarded(index_base(mesh), [&] {
-        edge_pairs(mesh, out, capacity, needed,
-                   [](const mesh::QuadMesh &asked, int e) { return asked.edge_faces(e); });
+        const mesh::QuadMesh &asked = current(mesh);
+        if (!answer(out, capacity, needed, std::int64_t{4} * asked.n_faces()))
+            return;
+        std::int32_t *ends = &required(offsets, "offsets");
+        const int base = index_base(mesh);
+        std::vector<int> rows;
+        std::vector<std::int32_t> begins{base};
+        for (int v = 0; v < asked.n_vertices(); ++v) {
+            const std::vector<int> around = asked.faces_around(v);
+            rows.insert(rows.end(), around.begin(), around.end());
+            begins.push_back(base + static_cast<std::int32_t>(rows.size()));
+        }
+        std::ranges::copy(begins, ends);
+        std::ranges::transform(rows, out, [&](int face) { return capi::out(base, face); });
     });
 }
 

@@ -12,6 +12,7 @@
 #include "capi/array.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
+#include "mesh/sides.h"
 
 namespace alphamst::capi {
 namespace {
@@ -65,6 +66,7 @@ constexpr Knob<std::int64_t> integers[] = {
     integer<&Options::chart>(AMST_OPT_CHART, "AMST_OPT_CHART", 0, 3),
     integer<&Options::keep_boundary>(AMST_OPT_KEEP_BOUNDARY, "AMST_OPT_KEEP_BOUNDARY", 0, 1),
     integer<&Options::starts>(AMST_OPT_STARTS, "AMST_OPT_STARTS", 1, 1000),
+    integer<&Options::buffer_layers>(AMST_OPT_BUFFER_LAYERS, "AMST_OPT_BUFFER_LAYERS", 0, 1000),
 };
 
 constexpr Knob<double> reals[] = {
@@ -78,6 +80,10 @@ constexpr Knob<double> reals[] = {
     real<&Options::least_size>(AMST_OPT_LEAST_SIZE, "AMST_OPT_LEAST_SIZE", 0, 1),
     real<&Options::sharp_angle>(AMST_OPT_SHARP_ANGLE, "AMST_OPT_SHARP_ANGLE", 0, 180),
     real<&Options::size_band>(AMST_OPT_SIZE_BAND, "AMST_OPT_SIZE_BAND", 0, 8),
+    real<&Options::min_edge>(AMST_OPT_MIN_EDGE, "AMST_OPT_MIN_EDGE", 0, mesh::largest_coordinate),
+    real<&Options::max_edge>(AMST_OPT_MAX_EDGE, "AMST_OPT_MAX_EDGE", 0, mesh::largest_coordinate),
+    real<&Options::gradation>(AMST_OPT_GRADATION, "AMST_OPT_GRADATION", 0.01, 100),
+    real<&Options::error_order>(AMST_OPT_ERROR_ORDER, "AMST_OPT_ERROR_ORDER", 0.1, 16),
 };
 
 static_assert(static_cast<int>(quadrangulate::Quadrangulation::pair) == 0 &&
@@ -104,8 +110,8 @@ template <typename T> void set(Options &options, const Knob<T> &knob, T value) {
 Options options_of(const amst_options *options) { return options == nullptr ? Options() : options->impl; }
 
 std::vector<std::int32_t> unused_options(const Options &options, std::span<const std::int32_t> in_use) {
-    // Seed and smoothing are of use to every operation; the others that are not here are for patch sets and
-    // for triangles.
+    // Seed and smoothing are of use to every operation; the others that are not here are for patch sets,
+    // triangles and indicators.
     constexpr std::int32_t of_operations[] = {
         AMST_OPT_CANDIDATES, AMST_OPT_NODE_LIMIT,  AMST_OPT_EDIT_BOUNDARY, AMST_OPT_STRATEGY,
         AMST_OPT_ALIGN,      AMST_OPT_CHART,       AMST_OPT_MIN_QUALITY,   AMST_OPT_TOLERANCE,

@@ -10,11 +10,12 @@
 #include "alphamst/alphamst.h"
 #include "chord/judge.h"
 #include "quadrangulate/quadrangulate.h"
+#include "reference/indicator.h"
 
 namespace alphamst::capi {
 
 // Those of operations, and of what comes before them.
-struct Options : Settings {
+struct Options : Settings, reference::SizeRules {
     bool repair_patches = true;
     quadrangulate::Quadrangulation quadrangulate = quadrangulate::Quadrangulation::pair;
     double sharp_angle = 40; // beyond which triangles are not paired

@@ -245,6 +245,7 @@ PYTHON_TABLES = [
     ("error.py", "ENTITIES", "AMST_"), ("flag.py", "Flag", "AMST_FLAG_"), ("field.py", "CARRIES", "AMST_CARRY_"),
     ("patches.py", "Defect", "AMST_DEFECT_"), ("patches.py", "DECOMPOSITIONS", "AMST_DECOMPOSE_"),
     ("patches.py", "ALL", "AMST_"), ("chord.py", "PROPERTIES", "AMST_CHORD_"), ("chord.py", "Refusal", "AMST_REFUSAL_"),
+    ("geometry.py", "GEOMETRIES", "AMST_GEOMETRY_"),
     ("quality.py", "METRICS", "AMST_METRIC_"), ("options.py", "KEYS", "AMST_OPT_"), ("report.py", "KEYS", "AMST_RESULT_"),
     ("report.py", "ALL", "AMST_"), ("context.py", "LOG_LEVELS", "AMST_LOG_")]
 # A number without a name in Python: nothing, done, in part.

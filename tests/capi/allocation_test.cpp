@@ -226,6 +226,10 @@ TEST_F(Allocation, InFields) {
         return amst_mesh_get_overlap(mesh, mesh, olds.data(), news.data(), areas.data(), n_faces, &rows);
     });
     ASSERT_EQ(amst_mesh_mark(mesh, &mark), AMST_OK);
+    fail_each([&] {
+        return amst_mesh_size_from_indicator(mesh, values.data(), n_faces, 0, n_faces, nullptr, nullptr);
+    });
+    ASSERT_EQ(amst_mesh_rollback(mesh, mark), AMST_OK);
     fail_each([&] { return amst_mesh_remove_field(mesh, AMST_FACE, "faces"); });
     ASSERT_EQ(amst_mesh_rollback(mesh, mark), AMST_OK);
     fail_each([&] { return amst_adapt(mesh, set, 2, nullptr, nullptr); });

@@ -14,6 +14,11 @@ GETTER(points, amst_mesh_get_points(mesh, out, capacity, needed))
 GETTER(faces, amst_mesh_get_faces(mesh, out, capacity, needed))
 GETTER(edges, amst_mesh_get_edges(mesh, out, capacity, needed))
 GETTER(edge_faces, amst_mesh_get_edge_faces(mesh, out, capacity, needed))
+static int32_t offsets[1000];
+GETTER(vertex_faces, amst_mesh_get_vertex_faces(mesh, offsets, out, capacity, needed))
+GETTER(centroids, amst_mesh_get_geometry(mesh, AMST_GEOMETRY_CENTROIDS, out, capacity, needed))
+GETTER(lengths, amst_mesh_get_geometry(mesh, AMST_GEOMETRY_LENGTHS, out, capacity, needed))
+GETTER(normals, amst_mesh_get_geometry(mesh, AMST_GEOMETRY_NORMALS, out, capacity, needed))
 GETTER(valences, amst_mesh_get_valences(mesh, out, capacity, needed))
 GETTER(singularities, amst_mesh_get_singularities(mesh, out, capacity, needed))
 GETTER(vertex_flags, amst_mesh_get_flags(mesh, AMST_VERTEX, out, capacity, needed))
@@ -78,6 +83,10 @@ static void every_getter(void **state) {
     follow_protocol(faces, sizeof(amst_id), 24);
     follow_protocol(edges, sizeof(amst_id), 24);
     follow_protocol(edge_faces, sizeof(amst_id), 24);
+    follow_protocol(vertex_faces, sizeof(amst_id), 24);
+    follow_protocol(centroids, sizeof(double), 18);
+    follow_protocol(lengths, sizeof(double), 12);
+    follow_protocol(normals, sizeof(double), 36);
     follow_protocol(valences, sizeof(int32_t), 8);
     follow_protocol(singularities, sizeof(amst_id), 8);
     follow_protocol(vertex_flags, sizeof(int32_t), 8);

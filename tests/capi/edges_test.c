@@ -17,20 +17,25 @@ static void edges_and_their_faces_fit_the_faces(void **state) {
     for (int e = 0; e < n_edges; ++e) {
         const amst_id v = edges[2 * e], w = edges[2 * e + 1];
         assert_true(v < w);
-        assert_true(sides[2 * e] != -1 || sides[2 * e + 1] != -1);
+        assert_true(sides[2 * e] != -1); /* on the boundary the one face is the first */
+        int turned = 0;                  /* then it may be right of the edge */
         for (int side = 0; side < 2; ++side) {
             const amst_id face = sides[2 * e + side];
             if (face == -1) {
                 ++beyond;
                 continue;
             }
-            int along = 0; /* the left face runs from v to w, the right one back */
-            for (int c = 0; c < 4; ++c)
-                along += faces[4 * face + c] == (side == 0 ? v : w) &&
-                         faces[4 * face + (c + 1) % 4] == (side == 0 ? w : v);
-            assert_int_equal(along, 1);
+            int along = 0, back = 0; /* the left face runs from v to w, the right one back */
+            for (int c = 0; c < 4; ++c) {
+                const amst_id here = faces[4 * face + c], next = faces[4 * face + (c + 1) % 4];
+                along += here == v && next == w;
+                back += here == w && next == v;
+            }
+            assert_int_equal(along + back, 1);
+            turned += (side == 0) == (back == 1);
             ++used;
         }
+        assert_true(turned == 0 || sides[2 * e + 1] == -1);
     }
     assert_int_equal(used, 4 * 12);
     assert_int_equal(beyond, 2 * (4 + 3));

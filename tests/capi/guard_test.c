@@ -153,6 +153,9 @@ static void meshes(void **state) {
 #define marker_name(m, out, capacity, needed)                                                                \
     amst_mesh_get_marker_name(m, AMST_FACE, 1, out, capacity, needed)
 #define mesh_field(m, out, capacity, needed) amst_mesh_get_field(m, AMST_FACE, "a", out, capacity, needed)
+#define mesh_geometry(m, out, capacity, needed)                                                              \
+    amst_mesh_get_geometry(m, AMST_GEOMETRY_NORMALS, out, capacity, needed)
+#define vertex_faces(m, out, capacity, needed) amst_mesh_get_vertex_faces(m, offsets, out, capacity, needed)
 #define mesh_quality(m, out, capacity, needed)                                                               \
     amst_mesh_get_quality(m, AMST_METRIC_AREA, out, capacity, needed)
 #define patch_faces(p, out, capacity, needed) amst_patches_get_faces(p, 0, out, capacity, needed)
@@ -167,6 +170,9 @@ static void arrays(void **state) {
     null_array(mesh, amst_mesh_get_faces, amst_id);
     null_array(mesh, amst_mesh_get_edges, amst_id);
     null_array(mesh, amst_mesh_get_edge_faces, amst_id);
+    int32_t offsets[50] = {0};
+    null_array(mesh, vertex_faces, amst_id);
+    null_array(mesh, mesh_geometry, double);
     null_array(mesh, amst_mesh_get_crossed_edges, amst_id);
     null_array(mesh, amst_mesh_get_split_edges, amst_id);
     null_array(mesh, amst_mesh_get_valences, int32_t);

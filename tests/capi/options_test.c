@@ -21,6 +21,7 @@ static const integer_option integers[] = {
     {AMST_OPT_CHART, 0, 0, 3},
     {AMST_OPT_KEEP_BOUNDARY, 0, 0, 1},
     {AMST_OPT_STARTS, 1, 1, 1000},
+    {AMST_OPT_BUFFER_LAYERS, 2, 0, 1000},
 };
 
 typedef struct real_option {
@@ -39,6 +40,10 @@ static const real_option reals[] = {
     {AMST_OPT_LEAST_SIZE, 0.125, 0, 1},
     {AMST_OPT_SHARP_ANGLE, 40, 0, 180},
     {AMST_OPT_SIZE_BAND, 0, 0, 8},
+    {AMST_OPT_MIN_EDGE, 0, 0, 1e30},
+    {AMST_OPT_MAX_EDGE, 0, 0, 1e30},
+    {AMST_OPT_GRADATION, 0.2, 0.01, 100},
+    {AMST_OPT_ERROR_ORDER, 1, 0.1, 16},
 };
 
 static amst_options *new_options(void) {

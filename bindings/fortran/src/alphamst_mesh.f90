@@ -7,7 +7,7 @@
 module alphamst_mesh
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_null_ptr, c_ptr
     use, intrinsic :: iso_fortran_env, only: int32, int64, real64
-    use amst_c, only: AMST_ERR_BUFFER_TOO_SMALL, AMST_FACE, &
+    use amst_c, only: AMST_ERR_BUFFER_TOO_SMALL, AMST_FACE, AMST_VERTEX, &
         amst_mesh_check, amst_mesh_clone, amst_mesh_clone_into, amst_mesh_compute_cross_field, amst_mesh_create, &
         amst_mesh_create_i64, &
         amst_mesh_destroy, amst_mesh_detect_features, amst_mesh_find_edges, amst_mesh_forget, &
@@ -16,12 +16,13 @@ module alphamst_mesh
         amst_mesh_get_dim, amst_mesh_get_edge_faces, amst_mesh_get_edges, &
         amst_mesh_get_faces, amst_mesh_get_field, amst_mesh_get_flags, amst_mesh_get_marker_list, &
         amst_mesh_get_marker_name, amst_mesh_get_markers, amst_mesh_get_points, amst_mesh_get_quality, &
-        amst_mesh_get_overlap, &
+        amst_mesh_get_geometry, amst_mesh_get_overlap, amst_mesh_get_vertex_faces, &
         amst_mesh_get_revision, amst_mesh_get_singularities, amst_mesh_get_summary, &
         amst_mesh_get_valences, amst_mesh_mark, amst_mesh_read, amst_mesh_remove_field, &
         amst_mesh_rollback, amst_mesh_set_field, amst_mesh_set_flags, amst_mesh_set_marker_name, &
         amst_mesh_set_markers, amst_mesh_set_points, amst_mesh_set_surface, &
-        amst_mesh_write, amst_summary
+        amst_mesh_size_from_indicator, amst_mesh_write, amst_summary, &
+        AMST_GEOMETRY_LENGTHS
     use alphamst_arrays, only: check_rows, deliver, fetch_reals_of, fetch_row, fetch_row_of, fetch_rows, &
         fill_reals_of, fill_row, fill_row_of, fill_rows
     use alphamst_boundary, only: amst_projection, held_projection, hold, let_go, project_by
@@ -92,9 +93,16 @@ module alphamst_mesh
         !> crossed_edges(2, n): vertices of sharp edges that are within quads;
         !> split_edges(3, n): two vertices and the new one at the midpoint between them
         procedure :: crossed_edges, split_edges
-        !> edge_faces(2, n_edges): left and right of each edge, 0 beyond the boundary;
+        !> edge_faces(2, n_edges): left and right of each edge; on the boundary the one face there is, then 0;
         !> get_edge_faces(values [, n])
         procedure :: edge_faces, get_edge_faces
+        !> vertex_faces(offsets(:), faces(:)): those around vertex v, counter-clockwise, on the boundary from
+        !> edge to edge, are faces(offsets(v):offsets(v + 1) - 1)
+        procedure :: vertex_faces
+        !> geometry(key): AMST_GEOMETRY_CENTROIDS(dim, n_faces); AMST_GEOMETRY_NORMALS(dim, n_edges), of length
+        !> 1, out of the first face of edge_faces, so on the boundary outwards; AMST_GEOMETRY_LENGTHS
+        !> (1, n_edges). Areas are quality(AMST_METRIC_AREA). Errors: ARGUMENT.
+        procedure :: geometry
         !> find_edges(pairs(2, n)): edges(n) between pairs of vertices, 0 where there is none;
         !> get_found_edges(pairs, values) needs n elements. Errors: RANGE (vertex), ARGUMENT (extents).
         procedure :: find_edges, get_found_edges
@@ -153,6 +161,14 @@ module alphamst_mesh
         !> field(entity, name): values(components, :); get_field(entity, name, values(components, :) [, n]).
         !> Errors: ARGUMENT (entity, name empty), NOT_FOUND.
         procedure :: field, get_field
+        !> size_from_indicator(indicator(:) [, tolerance, faces, options, asked_faces]): writes the field 'size' of
+        !> AMST_VERTEX. The indicator of a face is what it contributes to the error, at least 0. Given a
+        !> tolerance, each face asks for edges at which its indicator is that, and faces, kind int64, is a limit
+        !> of their number; without one there will be as many faces, with equal error everywhere. Of the options
+        !> AMST_OPT_ERROR_ORDER, _MIN_EDGE, _MAX_EDGE, _GRADATION and _BUFFER_LAYERS count. asked_faces: how many
+        !> the sizes ask for. Errors: RANGE (extent, below 0, both 0), ARGUMENT (MAX_EDGE below MIN_EDGE),
+        !> NOT_FINITE.
+        procedure :: size_from_indicator
         !> overlap(after, before_faces(:), after_faces(:), areas(:)): what a face of this mesh shares with one
         !> of another, as with the mesh after an operation, one element each; ascending by after_faces, then
         !> before_faces. In a plane those of a face sum up to its area. Errors: ARGUMENT (another dim).
@@ -553,6 +569,41 @@ contains
         call fill_rows(amst_mesh_get_edge_faces, self%c_handle(), 2_int32, values, n, stat, errmsg)
     end subroutine get_edge_faces
 
+    subroutine vertex_faces(self, offsets, faces, stat, errmsg)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), allocatable, intent(out) :: offsets(:), faces(:)
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        integer(int32) :: status
+        integer(int64) :: needed, vertices
+
+        needed = 0
+        vertices = -1 ! no offsets of no mesh
+        status = amst_mesh_get_vertex_faces(self%c_handle(), capacity=0_int64, needed=needed)
+        if (status >= 0) status = amst_mesh_get_count(self%c_handle(), AMST_VERTEX, vertices)
+        allocate (offsets(vertices + 1), faces(needed))
+        if (status >= 0) status = amst_mesh_get_vertex_faces(self%c_handle(), offsets, faces, needed, needed)
+        call settle(status, stat, errmsg)
+    end subroutine vertex_faces
+
+    function geometry(self, key, stat, errmsg) result(values)
+        class(amst_mesh), intent(in) :: self
+        integer(int32), intent(in) :: key
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        real(real64), allocatable :: values(:, :)
+        integer(int32) :: rows, status
+        integer(int64) :: needed
+
+        needed = 0
+        rows = 1
+        status = amst_mesh_get_geometry(self%c_handle(), key, capacity=0_int64, needed=needed)
+        if (status >= 0 .and. key /= AMST_GEOMETRY_LENGTHS) status = amst_mesh_get_dim(self%c_handle(), rows)
+        allocate (values(rows, needed/rows))
+        if (status >= 0) status = amst_mesh_get_geometry(self%c_handle(), key, values, needed, needed)
+        call settle(status, stat, errmsg)
+    end function geometry
+
     function find_edges(self, pairs, stat, errmsg) result(values)
         class(amst_mesh), intent(in) :: self
         integer(int32), intent(in), contiguous :: pairs(:, :)
@@ -896,6 +947,26 @@ contains
         if (status >= 0) status = amst_mesh_get_count(self%c_handle(), entity, count)
         if (status >= 0) components = int(needed/count, int32)
     end subroutine components_of
+
+    subroutine size_from_indicator(self, indicator, tolerance, faces, options, asked_faces, stat, errmsg)
+        class(amst_mesh), intent(inout) :: self
+        real(real64), intent(in), contiguous :: indicator(:)
+        real(real64), intent(in), optional :: tolerance
+        integer(int64), intent(in), optional :: faces
+        type(amst_options), intent(in), optional :: options
+        real(real64), intent(inout), optional :: asked_faces
+        integer(int32), intent(out), optional :: stat
+        character(len=*), intent(inout), optional :: errmsg
+        real(real64) :: wanted
+        integer(int64) :: most
+
+        wanted = 0
+        most = 0
+        if (present(tolerance)) wanted = tolerance
+        if (present(faces)) most = faces
+        call settle(amst_mesh_size_from_indicator(self%c_handle(), indicator, size(indicator, kind=int64), wanted, &
+            most, handle_of_options(options), asked_faces), stat, errmsg)
+    end subroutine size_from_indicator
 
     subroutine overlap(self, after, before_faces, after_faces, areas, stat, errmsg)
         class(amst_mesh), intent(in) :: self, after

@@ -159,6 +159,26 @@ module amst_c_mesh
             integer(c_int64_t), intent(inout) :: needed
         end function amst_mesh_get_edge_faces
 
+        integer(c_int32_t) function amst_mesh_get_vertex_faces(mesh, offsets, out, capacity, needed) bind(c)
+            import :: c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), intent(inout), optional :: offsets(*)
+            integer(c_int32_t), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_vertex_faces
+
+        integer(c_int32_t) function amst_mesh_get_geometry(mesh, key, out, capacity, needed) bind(c)
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: key
+            real(c_double), intent(inout), optional :: out(*)
+            integer(c_int64_t), value :: capacity
+            integer(c_int64_t), intent(inout) :: needed
+        end function amst_mesh_get_geometry
+
         integer(c_int32_t) function amst_mesh_find_edges(mesh, pairs, n, edges) bind(c)
             import :: c_int32_t, c_int64_t, c_ptr
             implicit none
@@ -310,6 +330,19 @@ module amst_c_mesh
             integer(c_int32_t), value :: entity
             character(kind=c_char), intent(in) :: name(*)
         end function amst_mesh_remove_field
+
+        integer(c_int32_t) function amst_mesh_size_from_indicator(mesh, indicator, n, tolerance, faces, options, &
+                asked_faces) bind(c)
+            import :: c_double, c_int32_t, c_int64_t, c_ptr
+            implicit none
+            type(c_ptr), value :: mesh
+            real(c_double), intent(in), optional :: indicator(*)
+            integer(c_int64_t), value :: n
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: faces
+            type(c_ptr), value :: options
+            real(c_double), intent(inout), optional :: asked_faces
+        end function amst_mesh_size_from_indicator
 
         integer(c_int32_t) function amst_mesh_get_overlap(before, after, before_faces, after_faces, areas, &
                 capacity, needed) bind(c)

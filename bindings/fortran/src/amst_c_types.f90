@@ -103,6 +103,13 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_DECOMPOSE_SINGULARITIES = 4
     integer(c_int32_t), parameter :: AMST_DECOMPOSE_MAX = 2147483647
 
+    ! amst_geometry
+    integer(c_int32_t), parameter :: AMST_GEOMETRY_INVALID = -1
+    integer(c_int32_t), parameter :: AMST_GEOMETRY_CENTROIDS = 0
+    integer(c_int32_t), parameter :: AMST_GEOMETRY_LENGTHS = 1
+    integer(c_int32_t), parameter :: AMST_GEOMETRY_NORMALS = 2
+    integer(c_int32_t), parameter :: AMST_GEOMETRY_MAX = 2147483647
+
     ! amst_metric
     integer(c_int32_t), parameter :: AMST_METRIC_INVALID = -1
     integer(c_int32_t), parameter :: AMST_METRIC_AREA = 0
@@ -141,6 +148,7 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_OPT_CHART = 9
     integer(c_int32_t), parameter :: AMST_OPT_KEEP_BOUNDARY = 10
     integer(c_int32_t), parameter :: AMST_OPT_STARTS = 11
+    integer(c_int32_t), parameter :: AMST_OPT_BUFFER_LAYERS = 12
     integer(c_int32_t), parameter :: AMST_OPT_MIN_QUALITY = 1000
     integer(c_int32_t), parameter :: AMST_OPT_MIN_CONVEXITY = 1001
     integer(c_int32_t), parameter :: AMST_OPT_PATCH_FACES = 1002
@@ -151,6 +159,10 @@ module amst_c_types
     integer(c_int32_t), parameter :: AMST_OPT_LEAST_SIZE = 1007
     integer(c_int32_t), parameter :: AMST_OPT_SHARP_ANGLE = 1008
     integer(c_int32_t), parameter :: AMST_OPT_SIZE_BAND = 1009
+    integer(c_int32_t), parameter :: AMST_OPT_MIN_EDGE = 1010
+    integer(c_int32_t), parameter :: AMST_OPT_MAX_EDGE = 1011
+    integer(c_int32_t), parameter :: AMST_OPT_GRADATION = 1012
+    integer(c_int32_t), parameter :: AMST_OPT_ERROR_ORDER = 1013
     integer(c_int32_t), parameter :: AMST_OPTION_MAX = 2147483647
 
     ! amst_result

@@ -140,7 +140,7 @@ contains
         call claim(size(mesh%singularities()) == 0, 'singularities')
     end subroutine queries_differ
 
-    !> How often the left face runs along an edge and the right one back.
+    !> How often the left face runs along an edge and the right one back; one alone is the first.
     function count_sides(edges, sides, faces) result(n)
         integer(int32), intent(in) :: edges(:, :), sides(:, :), faces(:, :)
         integer :: n, e, side
@@ -151,6 +151,7 @@ contains
                 if (sides(side, e) == 0) cycle
                 associate (corners => faces(:, sides(side, e)), v => edges(side, e), w => edges(3 - side, e))
                     n = n + count(corners == v .and. cshift(corners, 1) == w)
+                    if (sides(2, e) == 0) n = n + count(corners == w .and. cshift(corners, 1) == v)
                 end associate
             end do
         end do

@@ -35,6 +35,11 @@ contains
         call claim(abs(options%get_real(AMST_OPT_LEAST_SIZE) - 0.125_real64) <= 0, 'least size')
         call claim(abs(options%get_real(AMST_OPT_SHARP_ANGLE) - 40) <= 0, 'sharp angle')
         call claim(abs(options%get_real(AMST_OPT_SIZE_BAND)) <= 0, 'size band')
+        call claim(options%get_int(AMST_OPT_BUFFER_LAYERS) == 2, 'buffer layers')
+        call claim(abs(options%get_real(AMST_OPT_MIN_EDGE)) <= 0, 'least edge')
+        call claim(abs(options%get_real(AMST_OPT_MAX_EDGE)) <= 0, 'largest edge')
+        call claim(abs(options%get_real(AMST_OPT_GRADATION) - 0.2_real64) <= 0, 'gradation')
+        call claim(abs(options%get_real(AMST_OPT_ERROR_ORDER) - 1) <= 0, 'order')
         call options%set(AMST_OPT_SEED, -2_int64**62)
         call claim(options%get_int(AMST_OPT_SEED) == -2_int64**62, 'a seed of 64 bits')
         call options%set(AMST_OPT_SMOOTH_STEPS, 7)
@@ -107,20 +112,20 @@ contains
 
         call a%create()
         call b%create()
-        do k = 0, AMST_OPT_STARTS
+        do k = 0, AMST_OPT_BUFFER_LAYERS
             call a%set(k, merge(5 + k, changed(k), k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES))
         end do
-        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_SIZE_BAND
-            call a%set(k, merge(9.0_real64, 0.12_real64*(k - 999), k == AMST_OPT_PATCH_FACES))
+        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_ERROR_ORDER
+            call a%set(k, merge(9.0_real64, 0.05_real64*(k - 999), k == AMST_OPT_PATCH_FACES))
         end do
         b = a
         call a%destroy()
-        do k = 0, AMST_OPT_STARTS
+        do k = 0, AMST_OPT_BUFFER_LAYERS
             call claim(b%get_int(k) == merge(5 + k, changed(k), &
                 k < AMST_OPT_QUADRANGULATE .and. k /= AMST_OPT_REPAIR_PATCHES), 'copied integer')
         end do
-        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_SIZE_BAND
-            call claim(abs(b%get_real(k) - merge(9.0_real64, 0.12_real64*(k - 999), &
+        do k = AMST_OPT_MIN_QUALITY, AMST_OPT_ERROR_ORDER
+            call claim(abs(b%get_real(k) - merge(9.0_real64, 0.05_real64*(k - 999), &
                 k == AMST_OPT_PATCH_FACES)) <= 0, 'copied real')
         end do
         b = b

@@ -43,6 +43,8 @@ include("field.jl")
 include("cross_field.jl")
 include("surface.jl")
 include("boundary.jl")
+include("geometry.jl")
+include("indicator.jl")
 include("quality.jl")
 include("patches.jl")
 include("report.jl")
@@ -54,8 +56,9 @@ export library_version, library_has, status_name
 export progress, set_cancel!, set_log!, set_progress!, set_threads!
 export check, checksum, crossed_edges, detect_features!, dim, edge_faces, edge_faces!, edges, edges!, faces, faces!, find_edges, flags,
     flags!, nedges, nfaces, nvertices, points, points!, revision, set_flags!, set_points!,
-    singularities, split_edges, valences, valences!
+    singularities, split_edges, valences, valences!, vertex_faces
 export marker_list, marker_name, markers, markers!, set_marker_name!, set_markers!
+export geometry, size_from_indicator!
 export field, field!, overlap, remove_field!, set_field!
 export alignment, compute_cross_field!
 export set_projection!

@@ -130,6 +130,13 @@ const AMST_DECOMPOSE_MEDIAL = Int32(3)
 const AMST_DECOMPOSE_SINGULARITIES = Int32(4)
 const AMST_DECOMPOSE_MAX = Int32(0x7fffffff)
 
+# amst_geometry
+const AMST_GEOMETRY_INVALID = Int32(-1)
+const AMST_GEOMETRY_CENTROIDS = Int32(0)
+const AMST_GEOMETRY_LENGTHS = Int32(1)
+const AMST_GEOMETRY_NORMALS = Int32(2)
+const AMST_GEOMETRY_MAX = Int32(0x7fffffff)
+
 # amst_metric
 const AMST_METRIC_INVALID = Int32(-1)
 const AMST_METRIC_AREA = Int32(0)
@@ -168,6 +175,7 @@ const AMST_OPT_ALIGN = Int32(8)
 const AMST_OPT_CHART = Int32(9)
 const AMST_OPT_KEEP_BOUNDARY = Int32(10)
 const AMST_OPT_STARTS = Int32(11)
+const AMST_OPT_BUFFER_LAYERS = Int32(12)
 const AMST_OPT_MIN_QUALITY = Int32(1000)
 const AMST_OPT_MIN_CONVEXITY = Int32(1001)
 const AMST_OPT_PATCH_FACES = Int32(1002)
@@ -178,6 +186,10 @@ const AMST_OPT_TRANSITION = Int32(1006)
 const AMST_OPT_LEAST_SIZE = Int32(1007)
 const AMST_OPT_SHARP_ANGLE = Int32(1008)
 const AMST_OPT_SIZE_BAND = Int32(1009)
+const AMST_OPT_MIN_EDGE = Int32(1010)
+const AMST_OPT_MAX_EDGE = Int32(1011)
+const AMST_OPT_GRADATION = Int32(1012)
+const AMST_OPT_ERROR_ORDER = Int32(1013)
 const AMST_OPTION_MAX = Int32(0x7fffffff)
 
 # amst_result
@@ -326,6 +338,8 @@ end
     amst_mesh_get_crossed_edges(mesh, out, capacity, needed) = @ccall amst_mesh_get_crossed_edges(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_get_split_edges(mesh, out, capacity, needed) = @ccall amst_mesh_get_split_edges(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_get_edge_faces(mesh, out, capacity, needed) = @ccall amst_mesh_get_edge_faces(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_vertex_faces(mesh, offsets, out, capacity, needed) = @ccall amst_mesh_get_vertex_faces(mesh::Ptr{amst_mesh}, offsets::Ptr{Int32}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
+    amst_mesh_get_geometry(mesh, key, out, capacity, needed) = @ccall amst_mesh_get_geometry(mesh::Ptr{amst_mesh}, key::Int32, out::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_find_edges(mesh, pairs, n, edges) = @ccall amst_mesh_find_edges(mesh::Ptr{amst_mesh}, pairs::Ptr{Int32}, n::Int64, edges::Ptr{Int32})::Int32
     amst_mesh_get_valences(mesh, out, capacity, needed) = @ccall amst_mesh_get_valences(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_get_singularities(mesh, out, capacity, needed) = @ccall amst_mesh_get_singularities(mesh::Ptr{amst_mesh}, out::Ptr{Int32}, capacity::Int64, needed::Ptr{Int64})::Int32
@@ -342,6 +356,7 @@ end
     amst_mesh_set_field(mesh, entity, name, components, carry, values, n) = @ccall amst_mesh_set_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, components::Int32, carry::Int32, values::Ptr{Float64}, n::Int64)::Int32
     amst_mesh_get_field(mesh, entity, name, out, capacity, needed) = @ccall amst_mesh_get_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring, out::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_remove_field(mesh, entity, name) = @ccall amst_mesh_remove_field(mesh::Ptr{amst_mesh}, entity::Int32, name::Cstring)::Int32
+    amst_mesh_size_from_indicator(mesh, indicator, n, tolerance, faces, options, asked_faces) = @ccall amst_mesh_size_from_indicator(mesh::Ptr{amst_mesh}, indicator::Ptr{Float64}, n::Int64, tolerance::Float64, faces::Int64, options::Ptr{amst_options}, asked_faces::Ptr{Float64})::Int32
     amst_mesh_get_overlap(before, after, before_faces, after_faces, areas, capacity, needed) = @ccall amst_mesh_get_overlap(before::Ptr{amst_mesh}, after::Ptr{amst_mesh}, before_faces::Ptr{Int32}, after_faces::Ptr{Int32}, areas::Ptr{Float64}, capacity::Int64, needed::Ptr{Int64})::Int32
     amst_mesh_compute_cross_field(mesh, options) = @ccall amst_mesh_compute_cross_field(mesh::Ptr{amst_mesh}, options::Ptr{amst_options})::Int32
     amst_mesh_get_alignment(mesh, mean_degrees) = @ccall amst_mesh_get_alignment(mesh::Ptr{amst_mesh}, mean_degrees::Ptr{Float64})::Int32

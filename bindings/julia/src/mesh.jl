@@ -234,7 +234,8 @@ end, 3, :)
 """
     edge_faces(mesh)
 
-The faces left and right of every edge, 0 beyond the boundary, as a `Matrix{Int32}` (2, nedges).
+The faces left and right of every edge as a `Matrix{Int32}` (2, nedges); on the boundary the one face there is,
+then 0.
 """
 edge_faces(mesh::Mesh) = edge_faces!(Matrix{Int32}(undef, 2, nedges(mesh)), mesh)
 
@@ -247,6 +248,20 @@ edge_faces!(array::AbstractMatrix, mesh::Mesh) =
     fill_with!(Int32, array, (2, nedges(mesh))) do out, capacity, needed
         amst_mesh_get_edge_faces(mesh, out, capacity, needed)
     end
+
+"""
+    vertex_faces(mesh)
+
+`(offsets, faces)`, two `Vector{Int32}`: those around vertex `v`, counter-clockwise, on the boundary from edge to
+edge, are `faces[offsets[v]:offsets[v + 1] - 1]`.
+"""
+function vertex_faces(mesh::Mesh)
+    offsets = Vector{Int32}(undef, nvertices(mesh) + 1)
+    around = vector_of(Int32) do out, capacity, needed
+        amst_mesh_get_vertex_faces(mesh, offsets, out, capacity, needed)
+    end
+    return (offsets = offsets, faces = around)
+end
 
 """
     find_edges(mesh, pairs)

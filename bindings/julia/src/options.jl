@@ -10,7 +10,9 @@ const option_keys = (seed = AMST_OPT_SEED, smooth_steps = AMST_OPT_SMOOTH_STEPS,
                      tolerance = AMST_OPT_TOLERANCE, effort = AMST_OPT_EFFORT,
                      size_weight = AMST_OPT_SIZE_WEIGHT, transition = AMST_OPT_TRANSITION,
                      least_size = AMST_OPT_LEAST_SIZE, sharp_angle = AMST_OPT_SHARP_ANGLE,
-                     size_band = AMST_OPT_SIZE_BAND)
+                     size_band = AMST_OPT_SIZE_BAND, buffer_layers = AMST_OPT_BUFFER_LAYERS,
+                     min_edge = AMST_OPT_MIN_EDGE, max_edge = AMST_OPT_MAX_EDGE,
+                     gradation = AMST_OPT_GRADATION, error_order = AMST_OPT_ERROR_ORDER)
 
 # The header's rule for the keys of options and of reports.
 is_real(key::Int32) = key >= 1000
@@ -45,6 +47,11 @@ keywords may be given instead, or `options = ` an `Options`, to use it again.
 | `size_band` | 0.0 | log2 of area; in whole plane meshes with a field `"size"` faces that are off by less stay, 0 to 8 |
 | `least_size` | 0.125 | area over wanted area; no smaller face is made, 0 to 1 |
 | `sharp_angle` | 40.0 | triangles of a new mesh are not paired over sharper edges, 0 to 180 degrees |
+| `buffer_layers` | 2 | layers of faces around each that get the size it asks for by its indicator, 0 to 1000 |
+| `min_edge` | 0.0 | least size of an indicator, a length |
+| `max_edge` | 0.0 | largest one; 0: the extent of the mesh |
+| `gradation` | 0.2 | growth of sizes of an indicator over the length that they grow in, 0.01 to 100 |
+| `error_order` | 1.0 | power of the edge length that an indicator is like, 0.1 to 16 |
 | `edges` | none | `Matrix(2, n)` of vertices: edges of a new mesh that no pair of triangles crosses |
 
 With `edit_boundary = 1` vertices come and go on the boundary of a plane mesh where edges would be far

@@ -20,13 +20,18 @@
     @test options[:least_size] === 0.125
     @test options[:sharp_angle] === 40.0
     @test options[:size_band] === 0.0
+    @test options[:buffer_layers] == 2
+    @test options[:min_edge] === options[:max_edge] === 0.0
+    @test options[:gradation] === 0.2
+    @test options[:error_order] === 1.0
 end
 
 @testset "settings come back" begin
     options = Options(seed = 2^40 + 7, smooth_steps = 3, repair_patches = false, candidates = 5,
                       node_limit = 10^9, quadrangulate = 1, min_quality = 0.25, min_convexity = 0.5, patch_faces = 12,
                       align = 1, chart = 3, tolerance = 0.25, effort = 4, size_weight = 0.3, transition = 0.75,
-                      least_size = 0.0625, keep_boundary = true, sharp_angle = 25, size_band = 0.75, starts = 3)
+                      least_size = 0.0625, keep_boundary = true, sharp_angle = 25, size_band = 0.75, starts = 3,
+                      buffer_layers = 5, min_edge = 0.5, max_edge = 7, gradation = 0.3, error_order = 2)
     @test options[:seed] == 2^40 + 7
     @test options[:smooth_steps] == 3
     @test options[:repair_patches] == 0
@@ -47,6 +52,11 @@ end
     @test options[:starts] == 3
     @test options[:sharp_angle] === 25.0
     @test options[:size_band] === 0.75
+    @test options[:buffer_layers] == 5
+    @test options[:min_edge] === 0.5
+    @test options[:max_edge] === 7.0
+    @test options[:gradation] === 0.3
+    @test options[:error_order] === 2.0
     options[:seed] = 9
     options[1002] = 31.5
     @test options[0] == 9 && options[:patch_faces] == 31.5

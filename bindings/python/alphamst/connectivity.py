@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _alphamst
 from .array import Ids, as_long_as_the_answer, filled, ids
 from .geometry import Geometry
+
+
+class VertexFaces(NamedTuple):
+    """Faces around all vertices in a row, and where those of each vertex begin."""
+
+    offsets: Ids
+    faces: Ids
 
 
 class Connectivity(Geometry):
@@ -28,10 +37,26 @@ class Connectivity(Geometry):
         )
 
     def edge_faces(self, out: Ids | None = None) -> Ids:
-        """(n_edges, 2) faces left and right of every edge, -1 beyond the boundary."""
+        """(n_edges, 2) faces left and right of every edge; on the boundary the one there is, then -1."""
         return filled(
             lambda array: _alphamst.amst_mesh_get_edge_faces(self, array), np.int32, (self.n_edges, 2), out
         )
+
+    def vertex_faces(self) -> VertexFaces:
+        """Faces around every vertex, counter-clockwise, on the boundary from one of its edges to the other.
+
+        Those of vertex v are ``faces[offsets[v] : offsets[v + 1]]``.
+
+        >>> from alphamst import Mesh
+        >>> mesh = Mesh([[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]], [[0, 1, 4, 3], [1, 2, 5, 4]])
+        >>> offsets, faces = mesh.vertex_faces()
+        >>> [faces[offsets[v] : offsets[v + 1]].tolist() for v in (0, 1)]
+        [[0], [1, 0]]
+        """
+        offsets = np.empty(self.n_vertices + 1, np.int32)
+        around = np.empty(4 * self.n_faces, np.int32)
+        _alphamst.amst_mesh_get_vertex_faces(self, offsets, around)
+        return VertexFaces(offsets, around)
 
     def find_edges(self, pairs: ArrayLike) -> Ids:
         """(n,) edge of each of (n, 2) pairs of vertices, -1 where there is none. Raises `RangeError`."""

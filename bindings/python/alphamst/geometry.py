@@ -1,4 +1,4 @@
-"""How large a mesh is, and where its vertices lie."""
+"""How large a mesh is, where its vertices lie, and what a code needs of faces and edges that solves on it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ from numpy.typing import ArrayLike
 
 from . import _alphamst
 from .array import Reals, filled, reals
+from .error import number_of
 from .handle import Handle
+
+GEOMETRIES = {"centroids": 0, "lengths": 1, "normals": 2}
 
 
 class Geometry(Handle):
@@ -50,3 +53,17 @@ class Geometry(Handle):
         Raises `RangeError` for another number of vertices, `NotFiniteError`.
         """
         _alphamst.amst_mesh_set_points(self, reals(points, self.dim))
+
+    def geometry(self, key: str | int, out: Reals | None = None) -> Reals:
+        """"centroids" (n_faces, dim), "lengths" (n_edges,) or "normals" (n_edges, dim).
+
+        Normals have length 1 and point out of the first face of `edge_faces`, so on the boundary outwards; on
+        curved meshes they are at right angles to the mean normal of the faces. Areas are
+        ``quality("area")``. Raises `ArgumentError`.
+        """
+        number = number_of(GEOMETRIES, key)
+        n = self.n_faces if number == GEOMETRIES["centroids"] else self.n_edges
+        shape = (n,) if number == GEOMETRIES["lengths"] else (n, self.dim)
+        return filled(
+            lambda array: _alphamst.amst_mesh_get_geometry(self, number, array), np.float64, shape, out
+        )

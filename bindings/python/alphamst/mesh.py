@@ -15,6 +15,7 @@ from .context import Context
 from .cross_field import CrossField
 from .exchange import Exchange
 from .flag import Flag, Flags
+from .indicator import Indicator
 from .operation import Operations
 from .options import Options, chosen
 from .quality import Quality
@@ -40,6 +41,7 @@ class Mesh(
     Savepoints,
     Quality,
     Operations,
+    Indicator,
     Chords,
 ):
     """A mesh of quadrilaterals from arrays; `Mesh.read` takes one from a file.

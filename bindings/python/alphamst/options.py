@@ -24,6 +24,7 @@ KEYS = {
     "chart": 9,
     "keep_boundary": 10,
     "starts": 11,
+    "buffer_layers": 12,
     "min_quality": 1000,
     "min_convexity": 1001,
     "patch_faces": 1002,
@@ -34,6 +35,10 @@ KEYS = {
     "least_size": 1007,
     "sharp_angle": 1008,
     "size_band": 1009,
+    "min_edge": 1010,
+    "max_edge": 1011,
+    "gradation": 1012,
+    "error_order": 1013,
 }
 
 
@@ -52,6 +57,7 @@ class Settings(TypedDict, total=False):
     chart: int
     keep_boundary: int
     starts: int
+    buffer_layers: int
     min_quality: float
     min_convexity: float
     patch_faces: float
@@ -62,6 +68,10 @@ class Settings(TypedDict, total=False):
     least_size: float
     sharp_angle: float
     size_band: float
+    min_edge: float
+    max_edge: float
+    gradation: float
+    error_order: float
     edges: ArrayLike
 
 
@@ -85,6 +95,7 @@ class Options(Handle):
     | `chart` | 0 | map of what is curved, 1: mean value, 2: conformal, 3: low stretch |
     | `keep_boundary` | 0 | 0 or 1: new meshes get no vertex on the boundary, or fail |
     | `starts` | 1 | searches of a whole mesh, a thread each; the best is kept, 1 to 1000 |
+    | `buffer_layers` | 2 | layers of faces around each that get its "size" from an indicator, 0 to 1000 |
     | `min_quality` | 0.0 | no filling with a scaled Jacobian at or below, 0 to 1 |
     | `min_convexity` | 0.6 | a patch below has `Defect.NOT_CONVEX`, 0 to 1 |
     | `patch_faces` | 100.0 | aim of automatic decomposition, at least 1 |
@@ -95,6 +106,10 @@ class Options(Handle):
     | `least_size` | 0.125 | area over wanted area; no smaller face is made, 0 to 1 |
     | `sharp_angle` | 40.0 | triangles are not paired over sharper edges, 0 to 180 degrees |
     | `size_band` | 0.0 | log2 of area; faces off the field "size" by less stay, 0 to 8 |
+    | `min_edge` | 0.0 | least "size" of an indicator, in units of length, 0 to 1e30 |
+    | `max_edge` | 0.0 | largest one, 0 to 1e30; 0: the extent of the mesh |
+    | `gradation` | 0.2 | growth of the "size" of an indicator over the length it grows in, 0.01 to 100 |
+    | `error_order` | 1.0 | power of the edge length that an indicator is like, 0.1 to 16 |
     | `edges` | none | (n, 2) vertices: edges of a new mesh that no pair of triangles crosses |
 
     With ``edit_boundary=1`` vertices come and go on the boundary of a plane mesh where edges would be far from
@@ -125,6 +140,7 @@ class Options(Handle):
     chart: int
     keep_boundary: int
     starts: int
+    buffer_layers: int
     min_quality: float
     min_convexity: float
     patch_faces: float
@@ -135,6 +151,10 @@ class Options(Handle):
     least_size: float
     sharp_angle: float
     size_band: float
+    min_edge: float
+    max_edge: float
+    gradation: float
+    error_order: float
 
     def __init__(self, **settings: int | float | ArrayLike) -> None:
         _alphamst.amst_options_create(self)

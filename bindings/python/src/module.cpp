@@ -24,6 +24,18 @@ amst_status find_edges(const amst_mesh *mesh, const amst_id *pairs, int64_t n, a
     return amst_mesh_find_edges(mesh, pairs, capacity < n ? capacity : n, out);
 }
 
+// Without room for an offset of each vertex, and one more, only what is needed is told.
+amst_status get_vertex_faces(const amst_mesh *mesh, int32_t *offsets, int64_t room, amst_id *out,
+                             int64_t capacity, int64_t *needed) {
+    int64_t n_vertices = 0;
+    const amst_status status = amst_mesh_get_count(mesh, AMST_VERTEX, &n_vertices);
+    if (status != AMST_OK)
+        return status;
+    if (room <= n_vertices)
+        return amst_mesh_get_vertex_faces(mesh, nullptr, nullptr, 0, needed);
+    return amst_mesh_get_vertex_faces(mesh, offsets, out, capacity, needed);
+}
+
 // Where room is lacking only the rows needed are told: asking would cost as much as the answer.
 amst_status get_overlap(const amst_mesh *before, const amst_mesh *after, amst_id *before_faces,
                         int64_t capacity, amst_id *after_faces, int64_t, double *areas, int64_t,
@@ -80,6 +92,8 @@ PyMethodDef methods[] = {{"set_failure", set_failure, METH_O, nullptr},
                          QUICK(amst_mesh_get_faces),
                          QUICK(amst_mesh_get_edges),
                          QUICK(amst_mesh_get_edge_faces),
+                         method<get_vertex_faces, Way::quick>("amst_mesh_get_vertex_faces"),
+                         QUICK(amst_mesh_get_geometry),
                          method<find_edges, Way::quick>("amst_mesh_find_edges"),
                          QUICK(amst_mesh_get_crossed_edges),
                          QUICK(amst_mesh_get_split_edges),
@@ -100,6 +114,7 @@ PyMethodDef methods[] = {{"set_failure", set_failure, METH_O, nullptr},
                          QUICK(amst_mesh_set_field),
                          QUICK(amst_mesh_get_field),
                          QUICK(amst_mesh_remove_field),
+                         SLOW(amst_mesh_size_from_indicator),
                          method<get_overlap, Way::slow>("amst_mesh_get_overlap"),
                          SLOW(amst_mesh_compute_cross_field),
                          SLOW(amst_mesh_get_alignment),

@@ -48,3 +48,13 @@ class Connectivity(unittest.TestCase):
         self.assertEqual(mesh.crossed_edges().shape[1], 2)
         split = Mesh(points(1, 1), faces(1, 1), quadrangulate=1).split_edges()
         self.assertEqual((split.shape[1], len(split) >= 0), (3, True))
+
+    def test_faces_around_vertices(self):
+        mesh = grid(4)
+        offsets, around = mesh.vertex_faces()
+        self.assertEqual(np.diff(offsets)[[0, 1, 6]].tolist(), [1, 2, 4])
+        self.assertEqual((offsets[0], offsets[-1]), (0, len(around)))
+        corners = mesh.faces()
+        for v in range(mesh.n_vertices):
+            for f in around[offsets[v] : offsets[v + 1]]:
+                self.assertIn(v, corners[f])

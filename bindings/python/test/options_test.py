@@ -20,6 +20,7 @@ DEFAULTS = {
     "chart": 0,
     "keep_boundary": 0,
     "starts": 1,
+    "buffer_layers": 2,
     "min_quality": 0.0,
     "min_convexity": 0.6,
     "patch_faces": 100.0,
@@ -30,6 +31,10 @@ DEFAULTS = {
     "least_size": 0.125,
     "sharp_angle": 40.0,
     "size_band": 0.0,
+    "min_edge": 0.0,
+    "max_edge": 0.0,
+    "gradation": 0.2,
+    "error_order": 1.0,
 }
 OTHERS = {
     "seed": 2**40 + 7,
@@ -44,6 +49,7 @@ OTHERS = {
     "chart": 3,
     "keep_boundary": 1,
     "starts": 3,
+    "buffer_layers": 5,
     "min_quality": 0.25,
     "min_convexity": 0.5,
     "patch_faces": 12.0,
@@ -54,6 +60,10 @@ OTHERS = {
     "least_size": 0.0625,
     "sharp_angle": 25.0,
     "size_band": 0.75,
+    "min_edge": 0.5,
+    "max_edge": 7.0,
+    "gradation": 0.3,
+    "error_order": 2.0,
 }
 
 

@@ -117,6 +117,12 @@ pub const AMST_DECOMPOSE_MEDIAL: amst_decomposition = 3;
 pub const AMST_DECOMPOSE_SINGULARITIES: amst_decomposition = 4;
 pub const AMST_DECOMPOSE_MAX: amst_decomposition = 2147483647;
 pub type amst_decomposition = ::std::os::raw::c_int;
+pub const AMST_GEOMETRY_INVALID: amst_geometry = -1;
+pub const AMST_GEOMETRY_CENTROIDS: amst_geometry = 0;
+pub const AMST_GEOMETRY_LENGTHS: amst_geometry = 1;
+pub const AMST_GEOMETRY_NORMALS: amst_geometry = 2;
+pub const AMST_GEOMETRY_MAX: amst_geometry = 2147483647;
+pub type amst_geometry = ::std::os::raw::c_int;
 pub const AMST_METRIC_INVALID: amst_metric = -1;
 pub const AMST_METRIC_AREA: amst_metric = 0;
 pub const AMST_METRIC_ASPECT_RATIO: amst_metric = 1;
@@ -153,6 +159,7 @@ pub const AMST_OPT_ALIGN: amst_option = 8;
 pub const AMST_OPT_CHART: amst_option = 9;
 pub const AMST_OPT_KEEP_BOUNDARY: amst_option = 10;
 pub const AMST_OPT_STARTS: amst_option = 11;
+pub const AMST_OPT_BUFFER_LAYERS: amst_option = 12;
 pub const AMST_OPT_MIN_QUALITY: amst_option = 1000;
 pub const AMST_OPT_MIN_CONVEXITY: amst_option = 1001;
 pub const AMST_OPT_PATCH_FACES: amst_option = 1002;
@@ -163,6 +170,10 @@ pub const AMST_OPT_TRANSITION: amst_option = 1006;
 pub const AMST_OPT_LEAST_SIZE: amst_option = 1007;
 pub const AMST_OPT_SHARP_ANGLE: amst_option = 1008;
 pub const AMST_OPT_SIZE_BAND: amst_option = 1009;
+pub const AMST_OPT_MIN_EDGE: amst_option = 1010;
+pub const AMST_OPT_MAX_EDGE: amst_option = 1011;
+pub const AMST_OPT_GRADATION: amst_option = 1012;
+pub const AMST_OPT_ERROR_ORDER: amst_option = 1013;
 pub const AMST_OPTION_MAX: amst_option = 2147483647;
 pub type amst_option = ::std::os::raw::c_int;
 pub const AMST_RESULT_INVALID: amst_result = -1;
@@ -502,6 +513,24 @@ extern "C" {
     ) -> amst_status;
 }
 extern "C" {
+    pub fn amst_mesh_get_vertex_faces(
+        mesh: *const amst_mesh,
+        offsets: *mut i32,
+        out: *mut amst_id,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_get_geometry(
+        mesh: *const amst_mesh,
+        key: i32,
+        out: *mut f64,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> amst_status;
+}
+extern "C" {
     pub fn amst_mesh_find_edges(
         mesh: *const amst_mesh,
         pairs: *const amst_id,
@@ -640,6 +669,17 @@ extern "C" {
         mesh: *mut amst_mesh,
         entity: i32,
         name: *const ::std::os::raw::c_char,
+    ) -> amst_status;
+}
+extern "C" {
+    pub fn amst_mesh_size_from_indicator(
+        mesh: *mut amst_mesh,
+        indicator: *const f64,
+        n: i64,
+        tolerance: f64,
+        faces: i64,
+        options: *const amst_options,
+        asked_faces: *mut f64,
     ) -> amst_status;
 }
 extern "C" {

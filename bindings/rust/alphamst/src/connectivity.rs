@@ -91,8 +91,8 @@ impl Mesh {
         }))
     }
 
-    /// The faces left and right of every edge, seen from its first vertex to its second; `None` beyond
-    /// the boundary.
+    /// The faces left and right of every edge, seen from its first vertex to its second; on the boundary the
+    /// one face there is, then `None`.
     ///
     /// ```
     #[doc = include_str!("grid.txt")]
@@ -107,6 +107,26 @@ impl Mesh {
             })
         }));
         sides.into_iter().map(|pair| pair.map(FaceId::some)).collect()
+    }
+
+    /// The faces around each vertex, counter-clockwise, on the boundary from one of its edges to the other:
+    /// those of vertex v are `faces[offsets[v]..offsets[v + 1]]` of the pair `(offsets, faces)`.
+    ///
+    /// ```
+    #[doc = include_str!("grid.txt")]
+    /// let (offsets, faces) = mesh.vertex_faces();
+    /// assert_eq!(faces[offsets[6]..offsets[7]].len(), mesh.valences()[6] as usize);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn vertex_faces(&self) -> (Vec<usize>, Vec<FaceId>) {
+        let mut offsets = vec![0; self.n_vertices() + 1];
+        let first: *mut i32 = offsets.as_mut_ptr();
+        let faces = must(self.ask(|mesh| unsafe {
+            array::rows(|out: *mut i32, capacity, needed| {
+                sys::amst_mesh_get_vertex_faces(mesh, first, out, capacity, needed)
+            })
+        }));
+        (offsets.into_iter().map(|offset| array::count(offset.into())).collect(), faces)
     }
 
     /// The edge of each pair of vertices, `None` where there is no such edge.

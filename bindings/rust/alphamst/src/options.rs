@@ -62,6 +62,16 @@ enumeration! {
         /// Real, 0.0: log2 of areas; in whole plane meshes with a field "size" faces off by less stay, and the
         /// field alone says how many faces there are; 0: all may change.
         SizeBand = AMST_OPT_SIZE_BAND,
+        /// Integer, 2: layers of faces around each that get the size it asks for by its indicator, 0 to 1000.
+        BufferLayers = AMST_OPT_BUFFER_LAYERS,
+        /// Real, 0.0: least size of an indicator, a length.
+        MinEdge = AMST_OPT_MIN_EDGE,
+        /// Real, 0.0: largest one; 0: the extent of the mesh.
+        MaxEdge = AMST_OPT_MAX_EDGE,
+        /// Real, 0.2: growth of sizes of an indicator over the length that they grow in, 0.01 to 100.
+        Gradation = AMST_OPT_GRADATION,
+        /// Real, 1.0: power of the edge length that an indicator is like, 0.1 to 16.
+        ErrorOrder = AMST_OPT_ERROR_ORDER,
     }
 }
 
@@ -383,6 +393,61 @@ impl Options {
     /// ```
     pub fn size_band(self, log2_of_area: f64) -> Result<Self> {
         self.with_real(OptionKey::SizeBand, log2_of_area)
+    }
+
+    /// Sets [`OptionKey::BufferLayers`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().buffer_layers(5)?.get_int(OptionKey::BufferLayers)?, 5);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn buffer_layers(self, layers: i64) -> Result<Self> {
+        self.with_int(OptionKey::BufferLayers, layers)
+    }
+
+    /// Sets [`OptionKey::MinEdge`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().min_edge(0.5)?.get_real(OptionKey::MinEdge)?, 0.5);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn min_edge(self, length: f64) -> Result<Self> {
+        self.with_real(OptionKey::MinEdge, length)
+    }
+
+    /// Sets [`OptionKey::MaxEdge`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().max_edge(7.0)?.get_real(OptionKey::MaxEdge)?, 7.0);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn max_edge(self, length: f64) -> Result<Self> {
+        self.with_real(OptionKey::MaxEdge, length)
+    }
+
+    /// Sets [`OptionKey::Gradation`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().gradation(0.3)?.get_real(OptionKey::Gradation)?, 0.3);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn gradation(self, growth: f64) -> Result<Self> {
+        self.with_real(OptionKey::Gradation, growth)
+    }
+
+    /// Sets [`OptionKey::ErrorOrder`].
+    ///
+    /// ```
+    /// # use alphamst::{OptionKey, Options};
+    /// assert_eq!(Options::new().error_order(2.0)?.get_real(OptionKey::ErrorOrder)?, 2.0);
+    /// # Ok::<(), alphamst::Error>(())
+    /// ```
+    pub fn error_order(self, power: f64) -> Result<Self> {
+        self.with_real(OptionKey::ErrorOrder, power)
     }
 
     /// Sets an integer, by key or by the number of one that this crate does not know.

@@ -84,7 +84,7 @@ fn edges_have_vertices_and_faces() {
     assert_eq!(edges[middle], vertices([1, 4]));
     assert_eq!(sides[middle], [face(0), face(1)]); // left and right of the way up
     let left = edge(3, 0).unwrap().index();
-    assert_eq!((edges[left], sides[left]), (vertices([0, 3]), [None, face(0)]));
+    assert_eq!((edges[left], sides[left]), (vertices([0, 3]), [face(0), None])); // though it is at the right
     assert_eq!(edge(0, 4), None);
     assert_eq!(mesh.find_edges(&[]), Ok(vec![]));
     let error = mesh.find_edges(&[vertices([0, 6])]).unwrap_err();

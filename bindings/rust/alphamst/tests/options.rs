@@ -4,11 +4,11 @@ use alphamst::*;
 #[test]
 fn defaults_are_those_of_the_header() {
     let options = Options::default();
-    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map(|key| options.get_int(key).unwrap());
-    assert_eq!(integers, [0, 20, 1, 16, 1000, 0, 0, 0, 0, 0, 0, 1]);
-    let reals =
-        [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008].map(|key| options.get_real(key).unwrap());
-    assert_eq!(reals, [0.0, 0.6, 100.0, 0.5, 1.0, 0.7, 0.5, 0.125, 40.0]);
+    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [0, 20, 1, 16, 1000, 0, 0, 0, 0, 0, 0, 1, 2]);
+    let reals = [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008, 1009, 1010, 1011, 1012, 1013]
+        .map(|key| options.get_real(key).unwrap());
+    assert_eq!(reals, [0.0, 0.6, 100.0, 0.5, 1.0, 0.7, 0.5, 0.125, 40.0, 0.0, 0.0, 0.0, 0.2, 1.0]);
 }
 
 #[test]
@@ -52,12 +52,22 @@ fn every_setter_sets_its_own_key() {
         .sharp_angle(25.0)
         .unwrap()
         .size_band(0.75)
+        .unwrap()
+        .buffer_layers(5)
+        .unwrap()
+        .min_edge(0.5)
+        .unwrap()
+        .max_edge(7.0)
+        .unwrap()
+        .gradation(0.3)
+        .unwrap()
+        .error_order(2.0)
         .unwrap();
-    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map(|key| options.get_int(key).unwrap());
-    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000, 1, 1, 1, 1, 2, 1, 3]);
-    let reals = [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008, 1009]
+    let integers = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12].map(|key| options.get_int(key).unwrap());
+    assert_eq!(integers, [i64::MIN, 11, 0, 13, 1_000_000_000, 1, 1, 1, 1, 2, 1, 3, 5]);
+    let reals = [1000, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1008, 1009, 1010, 1011, 1012, 1013]
         .map(|key| options.get_real(key).unwrap());
-    assert_eq!(reals, [0.25, 0.75, 12.5, 0.125, 4.0, 0.3, 0.875, 0.0625, 25.0, 0.75]);
+    assert_eq!(reals, [0.25, 0.75, 12.5, 0.125, 4.0, 0.3, 0.875, 0.0625, 25.0, 0.75, 0.5, 7.0, 0.3, 2.0]);
     assert!(format!("{options:?}").contains("SmoothSteps"));
 }
 
