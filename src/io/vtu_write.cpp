@@ -1,7 +1,6 @@
 // Writes VTK's XML format of unstructured grids, version 1.0: numbers as they are in memory, little-endian
 // and not compressed, behind the text, so that any reader finds them and none rounds them.
 #include <array>
-#include <ranges>
 #include <span>
 
 #include "io/bytes.h"
@@ -81,13 +80,13 @@ private:
         if (all.empty())
             return;
         before("</" + section + ">\n");
-        for (const vtk::Data &data : std::views::reverse(all)) {
+        for (auto data = all.rbegin(); data != all.rend(); ++data) {
             const std::string tuples =
-                of_any_length ? " NumberOfTuples=\"" + std::to_string(data.values.size()) + "\"" : "";
-            if (data.whole)
-                add<std::int32_t>("Int32", data.name, data.components, data.values, tuples);
+                of_any_length ? " NumberOfTuples=\"" + std::to_string(data->values.size()) + "\"" : "";
+            if (data->whole)
+                add<std::int32_t>("Int32", data->name, data->components, data->values, tuples);
             else
-                add<double>("Float64", data.name, data.components, data.values, tuples);
+                add<double>("Float64", data->name, data->components, data->values, tuples);
         }
         before("<" + section + ">\n");
     }

@@ -37,6 +37,14 @@ void release(void *p) noexcept {
 
 // Not inline: g++ 12 would take malloc and delete for a mismatch.
 [[gnu::noinline]] void *operator new(std::size_t size) { return counted(std::malloc(size > 0 ? size : 1)); }
+// Who asks this way can do without, as std::stable_sort.
+[[gnu::noinline]] void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
+    try {
+        return operator new(size);
+    } catch (const std::bad_alloc &) {
+        return nullptr;
+    }
+}
 [[gnu::noinline]] void operator delete(void *p) noexcept { release(p); }
 [[gnu::noinline]] void operator delete(void *p, std::size_t) noexcept { release(p); }
 
