@@ -93,3 +93,6 @@ foreach(name improve front simplify sizes corners undo chords surface wall wave)
     add_example_test(python ${name} "${PYTHON}" "${PROJECT_SOURCE_DIR}/examples/python/${name}.py")
     set_tests_properties(example.python.${name} PROPERTIES ENVIRONMENT "${python_environment}")
 endforeach()
+# Stops by itself if mass, momentum or energy are lost where the mesh changes.
+add_test(NAME example.fortran.euler COMMAND example_fortran_euler 20)
+set_tests_properties(example.fortran.euler PROPERTIES LABELS example TIMEOUT 300)
