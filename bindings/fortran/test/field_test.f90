@@ -173,7 +173,7 @@ contains
         call refused(stat, AMST_ERR_RANGE, errmsg, 'no component')
         call mesh%set_field(AMST_VERTEX, '', values, AMST_CARRY_DROP, stat, errmsg)
         call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'no name')
-        call mesh%set_field(AMST_EDGE, 'a', values, AMST_CARRY_AVERAGE, stat, errmsg)
+        call mesh%set_field(AMST_EDGE, 'a', [values, values(:3)], AMST_CARRY_AVERAGE, stat, errmsg)
         call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'areas of edges')
         call mesh%set_field(AMST_FACE, 'size', values(:4), AMST_CARRY_INHERIT, stat, errmsg)
         call refused(stat, AMST_ERR_ARGUMENT, errmsg, 'size of faces')

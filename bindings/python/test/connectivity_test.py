@@ -17,10 +17,17 @@ class Connectivity(unittest.TestCase):
         self.assertTrue((pairs[:, 0] < pairs[:, 1]).all())
         self.assertEqual((sides == -1).sum(), 2 * (4 + 3))
         for (start, end), (left, right) in zip(pairs, sides):
-            for face, (a, b) in ((left, (start, end)), (right, (end, start))):
-                if face >= 0:
-                    at = corners[face].tolist()
-                    self.assertEqual(at[(at.index(a) + 1) % 4], b)  # left along, right back
+            along = [left >= 0 and self.has_side(corners[left], start, end)]
+            along.append(right >= 0 and self.has_side(corners[right], end, start))
+            if right >= 0:
+                self.assertEqual(along, [True, True])  # left along, right back
+            else:
+                self.assertTrue(along[0] or self.has_side(corners[left], end, start))
+
+    @staticmethod
+    def has_side(corners, start, end):
+        at = corners.tolist()
+        return at[(at.index(start) + 1) % 4] == end
 
     def test_find_edges(self):
         mesh = grid(4, 3)
