@@ -145,6 +145,7 @@ TEST_F(Allocation, InMakingHandles) {
         [&] { return amst_mesh_create(ctx, 2, corners, 5, 0, 0, triangles, 3, 0, 0, 3, nullptr, &made); });
     amst_mesh_destroy(made);
     fail_each([&] { return amst_mesh_clone(mesh, &made); });
+    amst_mesh_destroy(made);
     fail_each([&] { return amst_mesh_clone_into(mesh, ctx, &made); });
     amst_mesh_destroy(made);
     amst_patches *empty = nullptr;
