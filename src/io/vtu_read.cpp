@@ -146,9 +146,10 @@ private:
 
     void start(std::string_view name, const XML_Char **list) {
         const Attributes attributes{list};
-        if (array_) // with what VTK knows of the numbers, behind them
+        if (array_) { // with what VTK knows of the numbers, behind them
             array_->end = array_->end == 0 ? here() : array_->end;
-        else if (!open_)
+            ++inside_;
+        } else if (!open_)
             start_file(name, attributes);
         else if (name == "Piece")
             start_piece(attributes);
@@ -233,7 +234,9 @@ private:
     }
 
     void end(std::string_view name) {
-        if (name == "DataArray" && array_) {
+        if (inside_ > 0) {
+            --inside_;
+        } else if (array_) {
             if (array_->place != Array::Place::raw)
                 array_->end = std::max(array_->end == 0 ? here() : array_->end, array_->begin);
             section_->push_back(*std::exchange(array_, std::nullopt));
@@ -266,6 +269,7 @@ private:
     bool open_ = false;
     std::vector<Array> *section_ = nullptr;
     std::optional<Array> array_;
+    int inside_ = 0; // elements that have begun in it
 };
 
 class Reader {

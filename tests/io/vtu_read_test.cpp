@@ -68,6 +68,18 @@ TEST(VtuRead, ReadsAppendedBase64) {
     EXPECT_EQ(parse_vtu(text).faces, (std::vector<std::int32_t>{0, 1, 2, 3}));
 }
 
+// Found by fuzzing: the end of a section in an array was taken for that of the section around it.
+TEST(VtuRead, PassesOverElementsInArrays) {
+    const std::string array = "<Array type=\"Int32\" Name=\"i\" format=\"ascii\">1 2 3 4 5 6"
+                              "<PointData><DataArray/></PointData></Array>";
+    const Arrays mesh =
+        parse_vtu(head() + piece + "<PointData>" + array + words("Int32", "k", "6 5 4 3 2 1") +
+                  "</PointData>" + points + cells + tail);
+    EXPECT_EQ(mesh.faces, two_faces);
+    EXPECT_EQ(mesh.fields.find(Entity::vertex, "i")->values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(mesh.fields.find(Entity::vertex, "k")->values, (std::vector<double>{6, 5, 4, 3, 2, 1}));
+}
+
 TEST(VtuRead, RefusesWhatItDoesNotRead) {
     const auto text_of = [&](const std::string &file) { return failure_of([&] { parse_vtu(file); }); };
     const Failure pieces = text_of(head() + piece + points + cells + "</Piece>\n" + piece + tail);
