@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -7,7 +6,7 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "capi/ids.h"
-#include "mesh/sides.h"
+#include "entity.h"
 
 namespace alphamst::capi {
 namespace {
@@ -17,10 +16,6 @@ static_assert(int{AMST_CARRY_DROP} == static_cast<int>(mesh::Carry::drop) &&
               int{AMST_CARRY_LINEAR} == static_cast<int>(mesh::Carry::linear) &&
               int{AMST_CARRY_CONSERVE} == static_cast<int>(mesh::Carry::conserve) &&
               int{AMST_CARRY_AVERAGE} == static_cast<int>(mesh::Carry::average));
-
-std::string plural(Entity entity) {
-    return entity == Entity::vertex ? "vertices" : entity == Entity::edge ? "edges" : "faces";
-}
 
 std::string_view name_of(const char *name) {
     const std::string_view given = &required(name, "name");
@@ -41,7 +36,7 @@ const mesh::Field &find(const mesh::QuadMesh &mesh, Entity entity, std::string_v
     const mesh::Field *field = mesh.fields.find(entity, name);
     if (field == nullptr)
         throw Failure(Fault::not_found,
-                      "there is no field \"" + std::string(name) + "\" on " + plural(entity));
+                      "there is no field \"" + std::string(name) + "\" on " + plural_of(entity));
     return *field;
 }
 
@@ -68,7 +63,7 @@ amst_status amst_mesh_set_field(amst_mesh *mesh, std::int32_t entity, const char
         const std::int64_t count = count_of(*target.current, field->entity);
         if (n != count)
             throw Failure(Fault::range, "n is " + std::to_string(n) + ", the mesh has " +
-                                            std::to_string(count) + ' ' + plural(field->entity));
+                                            std::to_string(count) + ' ' + plural_of(field->entity));
         field->values.assign(values, values + n * components);
         mesh::require_sound(*field);
         target.writable().fields.set(std::move(field));

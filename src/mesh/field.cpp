@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "entity.h"
 #include "mesh/sides.h"
 
 namespace alphamst::mesh {
@@ -19,10 +20,6 @@ auto named(Entity entity, std::string_view name) {
 constexpr std::string_view size_name = "size";
 constexpr std::string_view cross_name = "cross";
 
-std::string plural(Entity entity) {
-    return entity == Entity::vertex ? "vertices" : entity == Entity::edge ? "edges" : "faces";
-}
-
 const char *place_of(Entity entity) {
     return entity == Entity::vertex ? "vertex {}" : entity == Entity::edge ? "edge {}" : "face {}";
 }
@@ -30,7 +27,7 @@ const char *place_of(Entity entity) {
 void require_carry(const Field &field) {
     if (field.carry == Carry::linear && field.entity != Entity::vertex)
         throw Failure(Fault::argument,
-                      "AMST_CARRY_LINEAR is for fields on vertices, not on " + plural(field.entity));
+                      "AMST_CARRY_LINEAR is for fields on vertices, not on " + plural_of(field.entity));
     if ((field.carry == Carry::conserve || field.carry == Carry::average) && field.entity == Entity::edge)
         throw Failure(Fault::argument, std::string("AMST_CARRY_") +
                                            (field.carry == Carry::conserve ? "CONSERVE" : "AVERAGE") +
@@ -49,7 +46,7 @@ void require_finite(const Field &field) {
 void require_size(const Field &field) {
     if (field.entity != Entity::vertex)
         throw Failure(Fault::argument, "\"size\" is the wanted edge length at vertices; give a field on " +
-                                           plural(field.entity) + " another name");
+                                           plural_of(field.entity) + " another name");
     if (field.components != 1)
         throw Failure(Fault::range, "\"size\" is the wanted edge length: it has 1 component, not " +
                                         std::to_string(field.components));
@@ -72,7 +69,7 @@ void require_size(const Field &field) {
 void require_cross(const Field &field) {
     if (field.entity != Entity::face)
         throw Failure(Fault::argument, "\"cross\" is a direction of edges at faces; give a field on " +
-                                           plural(field.entity) + " another name");
+                                           plural_of(field.entity) + " another name");
     if (field.components != 3)
         throw Failure(Fault::range, "\"cross\" is a direction in space: it has 3 components, not " +
                                         std::to_string(field.components));

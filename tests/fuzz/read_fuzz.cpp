@@ -1,6 +1,5 @@
 // Files of the format FORMAT with any bytes: a mesh in order, which can be written and read again, or a
 // failure that says why.
-#include <cmath>
 #include <string>
 #include <unistd.h>
 

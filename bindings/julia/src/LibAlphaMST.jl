@@ -237,7 +237,7 @@ const AMST_SCOPE_MAX = Int32(0x7fffffff)
 const addresses = Pair{Symbol,Base.RefValue{Ptr{Cvoid}}}[]
 
 """
-    @gc_safe name(arguments::Types)::Result at address
+    @gc_safe(name(arguments::Types)::Result, address)
 
 Call the function at `address` while the garbage collector may run: a thread inside the library holds no other
 up. Arguments are converted before, as `ccall` does it, and kept alive; between `jl_gc_safe_enter` and `_leave`
